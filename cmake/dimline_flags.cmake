@@ -1,0 +1,48 @@
+# Flags that every target of ours gets. Two interface targets: dimline_flags for all, dimline_module_flags for what ships.
+
+option(DIMLINE_SANITIZE "Build with the address and undefined-behaviour sanitizers" OFF)
+
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_ARCHIVE_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/lib")
+
+if(NOT EMSCRIPTEN)
+  find_program(DIMLINE_CCACHE ccache)
+  mark_as_advanced(DIMLINE_CCACHE)
+  if(DIMLINE_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+    set(CMAKE_CXX_COMPILER_LAUNCHER "${DIMLINE_CCACHE}")
+  endif()
+endif()
+
+add_library(dimline_flags INTERFACE)
+target_compile_options(dimline_flags INTERFACE
+  -Wall -Wextra -Wpedantic -Werror
+  -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual -Wold-style-cast -Wextra-semi -Wformat=2 -Wcast-qual -Wundef
+  # Layouts must be equal bit for bit between runs and hosts: no fused multiply-add where one compiler happens to see one.
+  -ffp-contract=off)
+
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  # g++ 12 gives both of these for correct code of its own library (string +, optional) once it inlines.
+  target_compile_options(dimline_flags INTERFACE -Wno-restrict -Wno-maybe-uninitialized -Wduplicated-cond -Wlogical-op)
+endif()
+
+if(DIMLINE_SANITIZE)
+  # -O1 and line tables only: the tests run in seconds, and a report still names file and line.
+  set(CMAKE_CXX_FLAGS_DEBUG "-O1 -g1")
+  add_compile_options(-fsanitize=address,undefined,float-cast-overflow -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  add_link_options(-fsanitize=address,undefined)
+  add_compile_definitions(_GLIBCXX_ASSERTIONS)
+endif()
+
+if(EMSCRIPTEN)
+  add_compile_options(-msimd128 -flto -fno-rtti)
+  add_link_options(-flto)
+  # embind without RTTI: names of unregistered types are not available in its error messages.
+  add_compile_definitions(EMSCRIPTEN_HAS_UNBOUND_TYPE_NAMES=0)
+endif()
+
+# The wasm build has no exceptions; compiling the same code natively without them finds a stray `throw` or `try` at once.
+add_library(dimline_module_flags INTERFACE)
+target_compile_options(dimline_module_flags INTERFACE -fno-exceptions)
+target_link_libraries(dimline_module_flags INTERFACE dimline_flags)

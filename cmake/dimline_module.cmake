@@ -1,0 +1,30 @@
+# dimline_module(<folder> [DEPS <folders it may include>...] [LIBS <other libraries>...] [EXCLUDE <files>...])
+#
+# The library dimline_<folder> out of every .cpp in src/<folder>; a folder of headers alone makes an interface library.
+# DEPS is the only way in which a folder reaches another one: tools/check_includes.py holds the sources to it.
+function(dimline_module folder)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "DEPS;LIBS;EXCLUDE")
+  if(arg_UNPARSED_ARGUMENTS)
+    message(FATAL_ERROR "dimline_module(${folder}): what is ${arg_UNPARSED_ARGUMENTS}?")
+  endif()
+
+  file(GLOB sources CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/*.cpp")
+  foreach(name IN LISTS arg_EXCLUDE)
+    list(REMOVE_ITEM sources "${CMAKE_CURRENT_SOURCE_DIR}/${name}")
+  endforeach()
+  file(GLOB headers CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/*.h")
+
+  list(TRANSFORM arg_DEPS PREPEND dimline_)
+  set(target dimline_${folder})
+  if(sources)
+    add_library(${target} STATIC ${sources} ${headers})
+    target_link_libraries(${target} PUBLIC ${arg_DEPS} ${arg_LIBS} PRIVATE dimline_module_flags)
+    set(scope PUBLIC)
+  else()
+    add_library(${target} INTERFACE)
+    target_link_libraries(${target} INTERFACE ${arg_DEPS} ${arg_LIBS})
+    set(scope INTERFACE)
+  endif()
+  target_include_directories(${target} ${scope} "${PROJECT_SOURCE_DIR}/src" "${DIMLINE_GENERATED_DIR}")
+  add_library(dimline::${folder} ALIAS ${target})
+endfunction()

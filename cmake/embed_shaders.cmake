@@ -1,0 +1,32 @@
+# Writes OUT/shaders.h and OUT/shaders.cpp from the shader files that LIST names, one path a line. Run with cmake -P.
+
+file(STRINGS "${LIST}" files)
+
+set(header "#pragma once\n\n#include <string_view>\n\n/// The text of each file in shaders/.\nnamespace dimline::shaders {\n\n")
+set(source "#include \"shaders.h\"\n\nnamespace dimline::shaders {\n")
+foreach(path IN LISTS files)
+  get_filename_component(name "${path}" NAME)
+  if(NOT name MATCHES "^[A-Za-z][A-Za-z0-9_]*\\.(vert|frag|glsl)$")
+    message(FATAL_ERROR "${path}: a shader's name is made of letters, digits and underscores.")
+  endif()
+  string(REPLACE "." "_" identifier "${name}")
+  file(READ "${path}" text)
+  string(FIND "${text}" ")glsl\"" clash)
+  if(NOT clash EQUAL -1)
+    message(FATAL_ERROR "${path}: the text )glsl\" ends the C++ literal that would hold it.")
+  endif()
+  string(APPEND header "extern const std::string_view ${identifier};\n")
+  string(APPEND source "\nconst std::string_view ${identifier} = R\"glsl(${text})glsl\";\n")
+endforeach()
+string(APPEND header "\n}  // namespace dimline::shaders\n")
+string(APPEND source "\n}  // namespace dimline::shaders\n")
+
+file(WRITE "${OUT}/shaders.cpp" "${source}")
+# The header is rewritten only when a name comes or goes, so that an edit of a shader compiles one file and no more.
+set(old "")
+if(EXISTS "${OUT}/shaders.h")
+  file(READ "${OUT}/shaders.h" old)
+endif()
+if(NOT old STREQUAL header)
+  file(WRITE "${OUT}/shaders.h" "${header}")
+endif()
