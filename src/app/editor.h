@@ -1,0 +1,124 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/result.h"
+#include "math/camera.h"
+#include "model/model.h"
+#include "placement/layout.h"
+
+namespace dimline {
+
+/// Something that a host wants to hear of, in the order in which it happened.
+enum class EditorEvent : std::uint8_t { kInput, kChange, kCameraChange, kLoad };
+
+enum class PointerKind : std::uint8_t { kMouse, kTouch, kPen };
+enum class PointerButton : std::uint8_t { kPrimary, kMiddle, kSecondary };
+
+struct Modifiers {
+  bool shift = false, ctrl = false, alt = false, meta = false;
+};
+
+/// One pointer's position, as the browser reports it (CSS px from the canvas's top left).
+struct PointerInput {
+  int id = 0;
+  PointerKind kind = PointerKind::kMouse;
+  PointerButton button = PointerButton::kPrimary;
+  Modifiers modifiers;
+  Vec2 screen{0.0};
+};
+
+/// What a pointer is doing, for the host's cursor.
+enum class PointerTarget : std::uint8_t { kNothing, kHandle, kCamera };
+
+enum class StandardView : std::uint8_t { kThreeQuarter, kFront, kBack, kLeft, kRight, kTop };
+
+/// One document, one camera, one frame loop (DESIGN.md section 1). The host (a page, a test, a script) feeds input and time; the editor decides
+/// everything else. Works without GL: then fields are measured on the CPU and nothing is drawn.
+///
+/// Order of a frame: rebuild the model if values changed; measure fields; place lines; animate; draw. Angles in degrees and values in the parameter's own
+/// unit at this boundary.
+class Editor {
+ public:
+  Editor();
+  ~Editor();
+
+  // --- Document ---
+  /// Replaces the document. Camera and undo history start anew; lines appear without animation. On an error the document stays as it was.
+  Status setModel(Model model);
+  [[nodiscard]] const Model& model() const;
+  [[nodiscard]] const Values& values() const;
+  [[nodiscard]] const Scene& scene() const;
+  /// Clamps to the range. One undo step for all values together; none when nothing changed. Unknown index is an assert.
+  void setValues(std::span<const std::pair<std::size_t, double>> changes);
+  /// As setValues, but continuing: repeated calls (a slider in motion) are one undo step until endContinuous(); kInput while it lasts, kChange at its end.
+  void setValueContinuous(std::size_t parameter, double value);
+  void endContinuous();
+  void undo();
+  void redo();
+  [[nodiscard]] bool canUndo() const;
+  [[nodiscard]] bool canRedo() const;
+
+  // --- Viewport and camera ---
+  /// CSS pixels (fractions allowed) and device pixels per CSS pixel. A viewport of no size draws and places nothing, and loses nothing.
+  void resize(double widthPx, double heightPx, double devicePixelRatio);
+  [[nodiscard]] const Camera& camera() const;
+  Status setCamera(const Camera& camera);
+  void fitToView();
+  void setStandardView(StandardView view);
+  /// Changes the projection and keeps what is seen at the target the same size.
+  void setOrthographic(bool orthographic);
+
+  // --- Input ---
+  /// Orbit, pan and zoom in the manner of three.js's OrbitControls: primary drag orbits, secondary (or primary with ctrl/meta/shift) pans, middle drag and
+  /// wheel zoom; one finger orbits, two pan and zoom. A handle under the pointer is dragged instead.
+  PointerTarget pointerDown(const PointerInput& input);
+  PointerTarget pointerMove(const PointerInput& input);
+  void pointerUp(const PointerInput& input);
+  /// The browser took the pointer away, or Esc: the gesture is undone exactly.
+  void cancelGesture();
+  void wheel(const Vec2& screen, double deltaPx, const Modifiers& modifiers);
+  /// Where a pointer that is not down hovers; nothing when it left.
+  PointerTarget hover(const PointerInput& input);
+  void endHover();
+
+  // --- Frames ---
+  /// A GL context is current and shall be drawn into; see render/renderer.h.
+  Status attachRenderer();
+  void detachRenderer();        ///< the context is about to be destroyed by the host
+  void abandonRenderer();       ///< the context was lost; attachRenderer() again after it is restored
+  /// Advances to `nowMs` (any steady clock) and draws. True when another frame is wanted (animation, fields under way, damping).
+  bool frame(double nowMs);
+  /// Fields, placement and animation have come to rest.
+  [[nodiscard]] bool atRest() const;
+  /// The layout as drawn by the last frame, mid-animation too.
+  [[nodiscard]] const Layout& layout() const;
+  /// Opacity, hover and drag state of layout().lines, in the same order.
+  struct LineState {
+    double opacity = 1;
+    bool hovered = false;
+    bool dragged = false;
+  };
+  [[nodiscard]] std::span<const LineState> lineStates() const;
+  /// What happened since the last call.
+  std::vector<EditorEvent> takeEvents();
+
+  enum class FieldsFrom : std::uint8_t { kAuto, kCpu, kGpu };
+  /// Which producer measures the fields; kAuto measures both on this machine and takes the faster.
+  void setFieldsFrom(FieldsFrom from);
+  [[nodiscard]] FieldsFrom fieldsFrom() const;
+  struct Timings {
+    double rebuildMs = 0, fieldsMs = 0, placeMs = 0, drawMs = 0;
+  };
+  [[nodiscard]] const Timings& timings() const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace dimline

@@ -1,0 +1,79 @@
+#pragma once
+
+/// Every threshold that more than one line of code depends on, each with its unit, its reason, and what changes with it.
+/// Screen lengths are CSS pixels, world lengths metres, angles radians.
+namespace dimline {
+
+// --- Placement: lengths on screen -------------------------------------------------------------------------------------
+
+/// px. The paper's handleSpacing (3.1, principle 2): the clearance of a final line from the silhouette and from other
+/// lines. Also the unit that turns the score's terms into pixels (4.2). Larger: airier, and fewer lines fit.
+inline constexpr double kHandleSpacingPx = 30.0;
+
+/// px. Clearance of a label's box from the silhouette, from lines and from other labels. Below about 3 px text seems to
+/// touch what it stands beside.
+inline constexpr double kLabelClearancePx = 4.0;
+
+/// px. Clearance that a later line keeps from an extension line it runs beside. Small: an extension line is thin and
+/// quiet, and lines of neighbouring features share their ends.
+inline constexpr double kExtensionClearancePx = 4.0;
+
+/// px. How far an extension line stands off its base line's end and runs on past the final line, as in technical
+/// drawing (ISO 129-1 shows about 2 mm on paper). Drawing only; a placed line's footprint includes the overshoot.
+inline constexpr double kExtensionGapPx = 4.0;
+inline constexpr double kExtensionOvershootPx = 5.0;
+
+/// px. A candidate's line and label stay this far inside the viewport, so that an arrowhead is never cut in half.
+inline constexpr double kViewportMarginPx = 6.0;
+
+/// px. Below this length on screen a base line has no direction that could be trusted and a line cannot be grabbed:
+/// it is hidden, "too-short" (or "foreshortened" when it points at the viewer). Authors raise it by min-length.
+inline constexpr double kMinLineLengthPx = 8.0;
+
+/// px. Length of an arrowhead along its line, at rest; half its width across.
+inline constexpr double kArrowLengthPx = 12.0;
+inline constexpr double kArrowHalfWidthPx = 4.0;
+
+/// px. Space between a label and the line that is interrupted for it, and between a label and the arrowhead.
+inline constexpr double kLabelPaddingPx = 4.0;
+
+/// px. Size of the text on dimension lines. The advance table in placement/text_metrics.h is in units of this size.
+inline constexpr double kLabelFontSizePx = 14.0;
+
+// --- Placement: the score of section 4.2 ------------------------------------------------------------------------------
+
+inline constexpr double kScoreDistance = -1.0;                           ///< lambda 1, per px
+inline constexpr double kScoreLength = 0.02;                             ///< lambda 2, per px
+inline constexpr double kScoreAlign = 3.0 * kHandleSpacingPx;            ///< lambda 3
+inline constexpr double kScoreDamp = 0.5 * kHandleSpacingPx;             ///< lambda 4
+inline constexpr double kScoreIntersect = -1.0 * kHandleSpacingPx;       ///< lambda 5
+inline constexpr double kScorePlane = 3.0 * kHandleSpacingPx;            ///< lambda 6
+
+// --- Geometry ---------------------------------------------------------------------------------------------------------
+
+/// rad. Planes whose normal is within this of a right angle to the view direction are left out (paper 4.4): seen
+/// edge-on, a line on them runs far across the screen for a small move.
+inline constexpr double kEdgeOnAngleRad = 0.1;
+
+/// rad and share of the model's size: planes, and directions, that agree within these are the same (guides, chains).
+inline constexpr double kSamePlaneAngleRad = 1e-4;
+inline constexpr double kSamePlaneDistance = 1e-4;
+
+// --- Camera -----------------------------------------------------------------------------------------------------------
+
+/// The near plane as a share of the distance to the model's farthest point. 24-bit depth keeps about 1e-4 of that
+/// distance at the far end; nearer things are cut away.
+inline constexpr double kNearShare = 1e-3;
+
+/// rad. The vertical field of view of a page that just opened. 35 degrees is near what architects' photographs use:
+/// wide enough to feel solid, narrow enough to keep verticals calm.
+inline constexpr double kDefaultFovRad = 0.6108652381980153;
+
+// --- Interaction ------------------------------------------------------------------------------------------------------
+
+/// px. How far from an arrowhead's middle a mouse, or a finger, still takes hold of it. 44 px targets for touch
+/// (WCAG 2.2, 2.5.5), where neighbours allow: the nearest handle wins.
+inline constexpr double kGrabRadiusMousePx = 14.0;
+inline constexpr double kGrabRadiusTouchPx = 26.0;
+
+}  // namespace dimline

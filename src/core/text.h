@@ -1,0 +1,30 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+/// Small helpers for text that people wrote or will read. ASCII rules only: no locale changes what they do.
+namespace dimline {
+
+/// Without the spaces, tabs and line ends at both ends.
+std::string_view trim(std::string_view text);
+
+/// Whether two texts are equal when the case of A to Z is ignored.
+bool equalIgnoringCase(std::string_view a, std::string_view b);
+
+/// The finite decimal number that the whole text spells ("-1.5", "2e3", ".5"); nothing for anything else: blanks, "nan", "0x1".
+std::optional<double> parseDouble(std::string_view text);
+
+/// The number with so many decimals, `.` as the decimal sign, and never "-0.00".
+std::string formatFixed(double value, int decimals);
+
+/// The text in double quotes, fit for a message: valid UTF-8, control characters and broken bytes replaced, cut after
+/// 40 characters.
+std::string quoted(std::string_view text);
+
+/// "a, b and c"; empty for none.
+std::string joined(std::span<const std::string_view> words, std::string_view lastJoint = "and");
+
+}  // namespace dimline

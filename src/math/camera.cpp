@@ -1,0 +1,166 @@
+#include "math/camera.h"
+
+#include <cmath>
+
+#include <glm/ext/matrix_clip_space.hpp>
+#include <glm/ext/matrix_transform.hpp>
+
+namespace dimline {
+
+namespace {
+
+/// Share of the viewport that the model may fill, per axis, when it is fitted: the rest is for lines, labels and air.
+constexpr double kFitShare = 0.62;
+
+bool finite(const Vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+
+struct Frame {
+  Vec3 right, up, forward;
+};
+
+/// An up that points along the view says nothing; then the world axis that is most at right angles to the view stands in.
+Frame frameOf(const Camera& camera) {
+  const Vec3 forward = glm::normalize(camera.target - camera.eye);
+  Vec3 side = glm::cross(forward, camera.up);
+  if (!(glm::length(side) > 1e-9 * glm::length(camera.up))) {
+    side = glm::cross(forward, std::abs(forward.y) > 0.9 ? Vec3(0, 0, -1) : Vec3(0, 1, 0));
+  }
+  const Vec3 right = glm::normalize(side);
+  return {right, glm::cross(right, forward), forward};
+}
+
+}  // namespace
+
+Status validate(const Camera& camera) {
+  if (!finite(camera.eye) || !finite(camera.target) || !finite(camera.up)) {
+    return Error{"The camera's eye, target and up must be finite numbers."};
+  }
+  // Compared with the coordinates' own size: nearer than that, the view direction is rounding noise.
+  const double scale = std::max(glm::length(camera.eye), glm::length(camera.target));
+  if (!(glm::length(camera.target - camera.eye) > 1e-9 * scale) || camera.target == camera.eye) {
+    return Error{"The camera's eye and target are the same point; move one of them."};
+  }
+  if (camera.up == Vec3(0.0)) return Error{"The camera's up vector is zero; use [0, 1, 0]."};
+  if (camera.orthoHeightM) {
+    if (!std::isfinite(*camera.orthoHeightM) || *camera.orthoHeightM <= 0) {
+      return Error{"The camera's orthoHeight must be a positive number of metres."};
+    }
+  } else if (!(camera.fovRad > 0 && camera.fovRad < 3.14159)) {
+    return Error{"The camera's field of view must lie between 0 and 180 degrees."};
+  }
+  return okStatus();
+}
+
+View::View(const Camera& camera, double widthPx, double heightPx, const Bounds& bounds)
+    : camera_(camera), widthPx_(widthPx), heightPx_(heightPx) {
+  const Frame frame = frameOf(camera);
+  right_ = frame.right;
+  up_ = frame.up;
+  forward_ = frame.forward;
+
+  double nearest = std::numeric_limits<double>::infinity();
+  double farthest = -nearest;
+  if (bounds.empty()) {
+    nearest = farthest = glm::length(camera.target - camera.eye);
+  } else {
+    for (int i = 0; i < 8; ++i) {
+      const double d = depth(bounds.corner(i));
+      nearest = std::min(nearest, d);
+      farthest = std::max(farthest, d);
+    }
+  }
+  const double span = std::max({farthest - nearest, 1e-6 * std::abs(farthest), 1e-9});
+  if (camera.orthographic()) {
+    // An orthographic eye is only a direction: nothing is ever behind it.
+    nearM_ = nearest - 0.05 * span;
+    farM_ = farthest + 0.05 * span;
+  } else {
+    farM_ = std::max(farthest + 0.05 * span, 1e-6);
+    nearM_ = std::max(nearest - 0.05 * span, farM_ * kNearShare);
+    if (farM_ <= nearM_) farM_ = nearM_ * 2;
+  }
+
+  view_ = glm::lookAtRH(camera.eye, camera.eye + forward_, up_);
+  const double aspect = widthPx / heightPx;
+  if (camera.orthographic()) {
+    const double h = *camera.orthoHeightM * 0.5;
+    projection_ = glm::orthoRH_NO(-h * aspect, h * aspect, -h, h, nearM_, farM_);
+  } else {
+    projection_ = glm::perspectiveRH_NO(camera.fovRad, aspect, nearM_, farM_);
+  }
+  viewProjection_ = projection_ * view_;
+  // Rows of the 3x4 map: x, y and w of clip space, with the viewport's scale and flip folded in.
+  for (int c = 0; c < 4; ++c) {
+    const Vec4 column = viewProjection_[c];
+    worldToPixels_[c] = Vec3((column.x + column.w) * 0.5 * widthPx, (column.w - column.y) * 0.5 * heightPx, column.w);
+  }
+}
+
+Vec3 View::directionTo(const Vec3& p) const {
+  if (orthographic()) return forward_;
+  const Vec3 d = p - camera_.eye;
+  const double length = glm::length(d);
+  return length > 0 ? d / length : forward_;
+}
+
+View::Ray View::rayThrough(const Vec2& screenPx) const {
+  const double x = 2 * screenPx.x / widthPx_ - 1;
+  const double y = 1 - 2 * screenPx.y / heightPx_;
+  const double aspect = widthPx_ / heightPx_;
+  if (orthographic()) {
+    const double h = *camera_.orthoHeightM * 0.5;
+    return {camera_.eye + right_ * (x * h * aspect) + up_ * (y * h), forward_};
+  }
+  const double h = std::tan(camera_.fovRad * 0.5);
+  return {camera_.eye, glm::normalize(forward_ + right_ * (x * h * aspect) + up_ * (y * h))};
+}
+
+double View::metresPerPixelAt(const Vec3& p) const {
+  if (orthographic()) return *camera_.orthoHeightM / heightPx_;
+  return 2 * std::tan(camera_.fovRad * 0.5) * std::max(depth(p), nearM_) / heightPx_;
+}
+
+Camera threeQuarterView(const Bounds& bounds, double widthPx, double heightPx) {
+  Camera camera;
+  camera.target = bounds.empty() ? Vec3(0.0) : bounds.center();
+  const double azimuthRad = 0.62;    // from the front (+z) towards the right (+x)
+  const double elevationRad = 0.30;  // low enough to look at a building rather than onto it
+  camera.eye = camera.target + Vec3(std::sin(azimuthRad) * std::cos(elevationRad), std::sin(elevationRad),
+                                    std::cos(azimuthRad) * std::cos(elevationRad));
+  return fitToView(camera, bounds, widthPx, heightPx);
+}
+
+Camera fitToView(const Camera& camera, const Bounds& bounds, double widthPx, double heightPx) {
+  Camera fitted = camera;
+  if (bounds.empty()) return fitted;
+  const Frame frame = frameOf(camera);
+  const Vec3 center = bounds.center();
+  const double aspect = widthPx / heightPx;
+  const double radius = std::max(bounds.diagonal() * 0.5, 1e-6);
+
+  if (camera.orthographic()) {
+    double height = 0;
+    for (int i = 0; i < 8; ++i) {
+      const Vec3 d = bounds.corner(i) - center;
+      height = std::max({height, 2 * std::abs(glm::dot(d, frame.up)), 2 * std::abs(glm::dot(d, frame.right)) / aspect});
+    }
+    fitted.orthoHeightM = std::max(height, 1e-6) / kFitShare;
+    fitted.eye = center - frame.forward * (4 * radius);
+  } else {
+    // Each corner bounds the distance from below: |across| <= share * tan(half angle) * (distance + depth of corner).
+    const double tanY = std::tan(camera.fovRad * 0.5) * kFitShare;
+    const double tanX = tanY * aspect;
+    double distance = 0;
+    for (int i = 0; i < 8; ++i) {
+      const Vec3 d = bounds.corner(i) - center;
+      const double along = glm::dot(d, frame.forward);
+      distance = std::max({distance, std::abs(glm::dot(d, frame.up)) / tanY - along,
+                           std::abs(glm::dot(d, frame.right)) / tanX - along});
+    }
+    fitted.eye = center - frame.forward * std::max(distance, radius * 1e-3);
+  }
+  fitted.target = center;
+  return fitted;
+}
+
+}  // namespace dimline

@@ -1,0 +1,87 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "math/camera.h"
+#include "model/model.h"
+#include "silhouette/distance_fields.h"
+
+namespace dimline {
+
+/// Where a final line lies: outside the silhouette, on another line's guide, or (the fallback) on its base line.
+enum class PlacementKind : std::uint8_t { kOutside, kGuide, kInside };
+
+/// Which sort of plane a line lies on, and how that plane is turned to the viewer (paper 4.2, term Plane).
+enum class PlaneKind : std::uint8_t { kNone, kScope, kBillboard, kObject };
+enum class Facing : std::uint8_t { kNone, kFront, kBack };
+
+/// Why an annotated parameter shows no handle.
+enum class HiddenReason : std::uint8_t { kOccluded, kOutOfView, kTooShort, kForeshortened, kCrowded, kNoScope };
+
+/// What makes a candidate the same one in two frames (DESIGN.md section 4): for damping, animation and hysteresis.
+struct Identity {
+  std::int32_t parameter = -1;
+  std::int32_t scopeIndex = -1;   ///< among the scopes of the annotation's name
+  std::int16_t baseLine = -1;     ///< which of the scope's base lines
+  std::int8_t plane = -1;         ///< which of the base line's planes; -1 on the base line itself
+  std::int8_t direction = 0;      ///< +1 or -1 along that plane's slide direction, 0 on the base line itself
+  bool operator==(const Identity&) const = default;
+};
+
+/// One end of a line that can be dragged.
+struct Handle {
+  bool atEnd = true;   ///< the moving end, or else the start
+  Vec2 screen{0.0};    ///< the arrowhead's tip (px)
+};
+
+/// One dimension line as it is to be shown.
+struct PlacedLine {
+  std::size_t parameter = 0;      ///< index into the model's parameters
+  std::size_t scope = 0;          ///< index into Scene::scopes
+  Identity identity;
+  PlacementKind placement = PlacementKind::kInside;
+  PlaneKind planeKind = PlaneKind::kNone;
+  Facing facing = Facing::kNone;
+  Plane plane;                    ///< meaningless when planeKind is kNone
+  Segment base;                   ///< world, fixed end first
+  Segment line;                   ///< world, parallel to base
+  Segment2 baseScreen;
+  Segment2 lineScreen;
+  /// Extension lines from the base line's ends to the final line's: start and end, each a polyline, base end first. Empty when inside.
+  std::vector<Vec2> extensionStart;
+  std::vector<Vec2> extensionEnd;
+  bool indirect = false;          ///< drawn stippled
+  double lengthM = 0;             ///< of the base line, in the world
+  double value = 0;               ///< the parameter's value
+  std::string text;               ///< what the label says
+  std::optional<Box2> label;      ///< px; empty when there is no room
+  std::vector<Handle> handles;
+};
+
+struct HiddenParameter {
+  std::size_t parameter = 0;
+  HiddenReason reason = HiddenReason::kNoScope;
+};
+
+/// The plain-data result of one frame (DESIGN.md sections 2 and 6). Every parameter with a dimension line is in exactly one of lines and hidden.
+struct Layout {
+  View view;
+  std::vector<PlacedLine> lines;
+  std::vector<HiddenParameter> hidden;
+  std::vector<std::size_t> visibleScopes;   ///< indices into Scene::scopes
+};
+
+/// As the JSON spells them (DESIGN.md section 6).
+std::string_view name(PlacementKind kind);
+std::string_view name(PlaneKind kind);
+std::string_view name(Facing facing);
+std::string_view name(HiddenReason reason);
+
+/// "WindowWidth/3/1/0/+": equal in two frames exactly when the identities are.
+std::string identityText(const Identity& identity, std::span<const Parameter> parameters);
+
+}  // namespace dimline

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <memory>
+
+#include "placement/layout.h"
+
+namespace dimline {
+
+/// Places all dimension lines of a model for one camera (paper section 4).
+///
+/// The placer is a function of (model, scene, view, fields, last frame) to a layout; what it keeps between frames is the last frame's choices, for
+/// the term Damp, and memory, so that a warmed-up frame allocates nothing. Nothing here knows how the fields were measured.
+class Placer {
+ public:
+  Placer();
+  ~Placer();
+  Placer(Placer&&) noexcept;
+  Placer& operator=(Placer&&) noexcept;
+
+  /// Prepares a model's scene: which scopes each parameter measures, and the order in which parameters are placed (paper 4.5: shortest first, by
+  /// the mean world length of their base lines). The choices of the last frame are kept: a rebuilt model keeps its lines where they are.
+  /// `model` must outlive the next call; `scene` is read only here.
+  void setScene(const Model& model, const Scene& scene);
+
+  /// Forgets the last frame, as for another model.
+  void forget();
+
+  /// One frame. `fields` are the model's own, of the same viewport as `view`. `values` are what the labels say.
+  void place(const View& view, const DistanceFields& fields, const Values& values, Layout& layout);
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace dimline
