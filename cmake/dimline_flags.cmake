@@ -37,8 +37,9 @@ endif()
 
 if(EMSCRIPTEN)
   add_compile_options(-msimd128 -flto -fno-rtti)
-  add_link_options(-flto)
-  # embind without RTTI: names of unregistered types are not available in its error messages.
+  add_link_options(-flto -fno-rtti)
+  # -fno-rtti at the link too: it chooses the embind library whose type ids are those of code without RTTI.
+  # The price: embind's messages cannot name a type that was never registered.
   add_compile_definitions(EMSCRIPTEN_HAS_UNBOUND_TYPE_NAMES=0)
 endif()
 
