@@ -14,7 +14,8 @@ std::string_view trim(std::string_view text);
 /// Whether two texts are equal when the case of A to Z is ignored.
 bool equalIgnoringCase(std::string_view a, std::string_view b);
 
-/// The finite decimal number that the whole text spells ("-1.5", "2e3", ".5"); nothing for anything else: blanks, "nan", "0x1".
+/// The finite decimal number that the whole text spells ("-1.5", "2e3", ".5"); nothing for anything else: blanks,
+/// "nan", "0x1".
 std::optional<double> parseDouble(std::string_view text);
 
 /// The number with so many decimals, `.` as the decimal sign, and never "-0.00".

@@ -1,0 +1,128 @@
+#include "model/model.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/text.h"
+
+namespace dimline {
+
+namespace {
+
+Status checkNumbers(const Parameter& parameter) {
+  const std::string& name = parameter.name;
+  if (!std::isfinite(parameter.min) || !std::isfinite(parameter.max)) {
+    return Error{name + "'s range must have finite limits."};
+  }
+  if (parameter.min > parameter.max) {
+    return Error{name + "'s range is empty: its least value, " + formatFixed(parameter.min, 3) +
+                 ", is above its greatest, " + formatFixed(parameter.max, 3) + "."};
+  }
+  if (!std::isfinite(parameter.step) || parameter.step < 0) {
+    return Error{name + "'s step must be 0 (any value) or a positive number."};
+  }
+  if (!(parameter.defaultValue >= parameter.min && parameter.defaultValue <= parameter.max)) {
+    return Error{name + "'s default, " + formatFixed(parameter.defaultValue, 3) + ", lies outside its range, " +
+                 formatFixed(parameter.min, 3) + " to " + formatFixed(parameter.max, 3) + "."};
+  }
+  const bool whole = parameter.type != ParameterType::kFloat && parameter.type != ParameterType::kAngle;
+  for (const double number : {parameter.min, parameter.max, parameter.defaultValue, parameter.step}) {
+    if (whole && number != std::round(number)) {
+      return Error{name + " takes whole numbers only: its limits, default and step must be whole too."};
+    }
+  }
+  return okStatus();
+}
+
+Status checkChoices(const Parameter& parameter) {
+  const auto& choices = parameter.choices;
+  if (choices.empty()) return Error{parameter.name + " is a choice without names to choose from."};
+  for (std::size_t i = 0; i < choices.size(); ++i) {
+    if (trim(choices[i]).empty()) return Error{parameter.name + " has a choice without a name."};
+    if (std::find(choices.begin(), choices.begin() + static_cast<std::ptrdiff_t>(i), choices[i]) !=
+        choices.begin() + static_cast<std::ptrdiff_t>(i)) {
+      return Error{parameter.name + " has two choices named " + quoted(choices[i]) + "."};
+    }
+  }
+  return okStatus();
+}
+
+/// A switch and a choice have the only range they can have, so that nobody needs to write it down.
+void normalise(Parameter& parameter) {
+  if (parameter.type == ParameterType::kBool) {
+    parameter.min = 0;
+    parameter.max = 1;
+    parameter.step = 1;
+  } else if (parameter.type == ParameterType::kChoice) {
+    parameter.min = 0;
+    parameter.max = std::max<double>(0, static_cast<double>(parameter.choices.size()) - 1);
+    parameter.step = 1;
+  } else if (parameter.type == ParameterType::kInt && parameter.step == 0) {
+    parameter.step = 1;
+  }
+}
+
+/// What kind of parameter a handle type is for, when this one is of another kind; empty when they go together.
+std::string_view mismatch(const Parameter& parameter, const Annotation& annotation) {
+  const ParameterType type = parameter.type;
+  switch (annotation.type) {
+    case HandleType::kBoolean:
+      return type == ParameterType::kBool ? "" : "a switch";
+    case HandleType::kRange:
+      return type == ParameterType::kChoice || type == ParameterType::kInt ? "" : "a choice or a count";
+    case HandleType::kAngular:
+      return type == ParameterType::kAngle || annotation.indirect ? "" : "an angle";
+    default:
+      break;
+  }
+  // A length can stand for a count or an angle, but only where the author says that the two differ.
+  if (type == ParameterType::kFloat || type == ParameterType::kInt) return "";
+  return type == ParameterType::kAngle && annotation.indirect ? "" : "a length";
+}
+
+}  // namespace
+
+Result<Model> makeModel(ModelDefinition definition) {
+  if (trim(definition.name).empty()) return Error{"A model needs a name."};
+  if (!definition.build) return Error{"The model " + quoted(definition.name) + " has no rule that builds it."};
+
+  Model model;
+  auto& parameters = definition.parameters;
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    Parameter& parameter = parameters[i];
+    const auto inModel = [&](const Error& error) {
+      return Error{"In the model " + quoted(definition.name) + ": " + error.message};
+    };
+    if (trim(parameter.name).empty()) return inModel(Error{"parameter " + std::to_string(i + 1) + " has no name."});
+    if (*findParameter(parameters, parameter.name) != i) {
+      return inModel(Error{"two parameters are named " + quoted(parameter.name) + "."});
+    }
+    if (parameter.type == ParameterType::kChoice) {
+      if (Status status = checkChoices(parameter); !status) return inModel(status.error());
+    }
+    normalise(parameter);
+    if (Status status = checkNumbers(parameter); !status) return inModel(status.error());
+
+    std::optional<Annotation> annotation;
+    if (!trim(parameter.annotation).empty()) {
+      auto parsed = parseAnnotation(parameter.annotation);
+      if (!parsed) {
+        model.diagnostics.push_back(parameter.name + ": " + parsed.error().message);
+      } else {
+        for (const std::string& warning : parsed->warnings)
+          model.diagnostics.push_back(parameter.name + ": " + warning);
+        if (const std::string_view wanted = mismatch(parameter, parsed->annotation); wanted.empty()) {
+          annotation = parsed->annotation;
+        } else {
+          model.diagnostics.push_back(parameter.name + ": type=" + std::string(name(parsed->annotation.type)) +
+                                      " is for " + std::string(wanted) + ", so it gets no handle.");
+        }
+      }
+    }
+    model.annotations.push_back(std::move(annotation));
+  }
+  model.definition = std::move(definition);
+  return model;
+}
+
+}  // namespace dimline
