@@ -4,8 +4,9 @@
 #include <span>
 
 #include "core/text.h"
+#include "model/annotation_scanner.h"
 
-// Reading an annotation takes two steps. `Scanner` knows the punctuation only and gives a list of entries, NAME or
+// Reading an annotation takes two steps. The scanner knows the punctuation only and gives a list of entries, NAME or
 // NAME=VALUE, each with its place; what it cannot read is an Error. `Interpreter` knows the properties; what it does
 // not know is a warning. Some properties say half of something (type=linear with reference=center, in any order), so
 // the halves are kept until all entries are read.
@@ -15,9 +16,6 @@
 namespace dimline {
 
 namespace {
-
-// --- Tables
-// -----------------------------------------------------------------------------------------------------------
 
 template <typename T>
 struct Named {
@@ -148,146 +146,12 @@ std::string_view nameIn(std::span<const Named<T>> names, T value) {
   return "";
 }
 
+using Entry = AnnotationEntry;
+using Kind = AnnotationEntry::Kind;
+
 bool isSpherical(HandleType type) {
   return type == HandleType::kSphericalDiametric || type == HandleType::kSphericalRadial;
 }
-
-// --- Punctuation
-// ------------------------------------------------------------------------------------------------------
-
-/// Lines and columns count from 1; a column is a character, however many bytes it has.
-struct Place {
-  int line = 1;
-  int column = 1;
-};
-
-std::string at(const Place& place) {
-  return "line " + std::to_string(place.line) + ", column " + std::to_string(place.column) + ": ";
-}
-
-enum class ValueKind { kNothing, kWord, kString, kBraces };
-
-/// NAME or NAME=VALUE. The views point into the annotation's text.
-struct Entry {
-  std::string_view name;
-  Place namePlace;
-  ValueKind kind = ValueKind::kNothing;
-  std::string_view value;  ///< without the quotes or braces
-  Place valuePlace;
-};
-
-class Scanner {
-public:
-  explicit Scanner(std::string_view text) : text_(text) {}
-
-  Result<std::vector<Entry>> scan() {
-    skipSpace();
-    if (!take('@')) return unexpected("An annotation starts with @Handle(");
-    const Place start = place_;
-    const std::string_view word = readWord();
-    if (!equalIgnoringCase(word, "Handle")) {
-      return Error{at(start) + "the annotation must be @Handle(\xE2\x80\xA6), not " + quoted("@" + std::string(word)) +
-                   "."};
-    }
-    skipSpace();
-    if (!take('(')) return unexpected("after @Handle a ( must follow");
-
-    std::vector<Entry> entries;
-    for (skipSpace(); !take(')'); skipSpace()) {
-      auto entry = scanEntry();
-      if (!entry) return entry.error();
-      entries.push_back(*entry);
-      skipSpace();
-      // A comma after the last entry is common where each stands on a line of its own.
-      if (!take(',') && peek() != ')') return unexpected("after " + quoted(entry->name) + " a , or ) must follow");
-    }
-    skipSpace();
-    if (!atEnd()) return unexpected("nothing may follow the closing )");
-    return entries;
-  }
-
-private:
-  [[nodiscard]] bool atEnd() const { return next_ == text_.size(); }
-  [[nodiscard]] char peek() const { return atEnd() ? '\0' : text_[next_]; }
-
-  void advance() {
-    const char c = text_[next_++];
-    if (c == '\n' || (c == '\r' && peek() != '\n')) {
-      ++place_.line;
-      place_.column = 1;
-    } else if ((static_cast<unsigned char>(c) & 0xC0U) != 0x80) {
-      ++place_.column;
-    }
-  }
-  bool take(char c) {
-    if (atEnd() || text_[next_] != c) return false;
-    advance();
-    return true;
-  }
-  void skipSpace() {
-    while (!atEnd() && std::string_view(" \t\n\r\v\f").find(text_[next_]) != std::string_view::npos) advance();
-  }
-  std::string_view readWord() {
-    const std::size_t first = next_;
-    while (!atEnd() && std::string_view(" \t\n\r\v\f,=(){}\"@").find(text_[next_]) == std::string_view::npos) advance();
-    return text_.substr(first, next_ - first);
-  }
-  /// Everything before `end`, which is taken too; nothing when the text ends first.
-  std::optional<std::string_view> readUntil(char end) {
-    const std::size_t first = next_;
-    while (!atEnd() && text_[next_] != end) advance();
-    if (atEnd()) return std::nullopt;
-    const std::string_view content = text_.substr(first, next_ - first);
-    advance();
-    return content;
-  }
-
-  /// "…, but there is X": the character that stands where something else should, or the end of the text.
-  [[nodiscard]] Error unexpected(const std::string& wanted) const {
-    std::string found = "the annotation ends here";
-    if (!atEnd()) {
-      std::size_t length = 1;
-      while (next_ + length < text_.size() && (static_cast<unsigned char>(text_[next_ + length]) & 0xC0U) == 0x80)
-        ++length;
-      found = "here is " + quoted(text_.substr(next_, length));
-    }
-    return Error{at(place_) + wanted + ", but " + found + "."};
-  }
-
-  Result<Entry> scanEntry() {
-    Entry entry;
-    entry.namePlace = place_;
-    entry.name = readWord();
-    if (entry.name.empty()) return unexpected("a property such as scope=Window is expected");
-    skipSpace();
-    entry.valuePlace = place_;
-    if (!take('=')) return entry;
-
-    skipSpace();
-    entry.valuePlace = place_;
-    const char open = peek();
-    if (open == '{' || open == '"') {
-      advance();
-      const char close = open == '{' ? '}' : '"';
-      const auto content = readUntil(close);
-      if (!content) return Error{at(entry.valuePlace) + "this " + open + " has no closing " + close + "."};
-      entry.kind = open == '{' ? ValueKind::kBraces : ValueKind::kString;
-      entry.value = *content;
-    } else {
-      entry.kind = ValueKind::kWord;
-      entry.value = readWord();
-      if (entry.value.empty()) return unexpected("after " + std::string(entry.name) + "= a value is expected");
-    }
-    return entry;
-  }
-
-  std::string_view text_;
-  std::size_t next_ = 0;
-  Place place_;
-};
-
-// --- Meaning
-// ----------------------------------------------------------------------------------------------------------
 
 class Interpreter {
 public:
@@ -310,7 +174,8 @@ public:
       }
     }
     if (out().scope.empty()) {
-      return Error{at({}) + "the annotation names no scope; add scope=NAME, the name of the boxes that it measures."};
+      return Error{messageStart({}) +
+                   "the annotation names no scope; add scope=NAME, the name of the boxes that it measures."};
     }
     combineType();
     combineOrient();
@@ -320,7 +185,9 @@ public:
 
 private:
   Annotation& out() { return parsed_.annotation; }
-  void warn(const Place& place, const std::string& message) { parsed_.warnings.push_back(at(place) + message); }
+  void warn(const TextPlace& place, const std::string& message) {
+    parsed_.warnings.push_back(messageStart(place) + message);
+  }
 
   static std::string joinedProperties() {
     std::vector<std::string_view> words;
@@ -339,20 +206,21 @@ private:
 
   Status readScope(const Entry& entry) {
     std::string_view scope = entry.value;
-    if (entry.kind == ValueKind::kBraces) return Error{at(entry.valuePlace) + "a scope's name has no braces."};
-    if (entry.kind == ValueKind::kWord) {
+    if (entry.kind == Kind::kBraces) return Error{messageStart(entry.valuePlace) + "a scope's name has no braces."};
+    if (entry.kind == Kind::kWord) {
       // NAME^2 counts shapes up the shape tree elsewhere; here every scope has one name.
       if (const std::size_t caret = scope.find('^'); caret != std::string_view::npos) {
         const std::string_view count = scope.substr(caret + 1);
         if (count.empty() || count.find_first_not_of("0123456789") != std::string_view::npos) {
-          return Error{at(entry.valuePlace) + "after the ^ of " + quoted(scope) + " a whole number is expected."};
+          return Error{messageStart(entry.valuePlace) + "after the ^ of " + quoted(scope) +
+                       " a whole number is expected."};
         }
         scope = scope.substr(0, caret);
       }
     }
     scope = trim(scope);
     if (scope.empty())
-      return Error{at(entry.valuePlace) + std::string(entry.name) + " needs a name, as in scope=Window."};
+      return Error{messageStart(entry.valuePlace) + std::string(entry.name) + " needs a name, as in scope=Window."};
     out().scope = scope;
     return okStatus();
   }
@@ -416,18 +284,18 @@ private:
 
   void warnOfValue(const Entry& entry, const std::string& wanted) {
     const std::string name(entry.name);
-    if (entry.kind == ValueKind::kNothing) {
+    if (entry.kind == Kind::kNoValue) {
       warn(entry.namePlace, name + " has no value and is left out; it takes " + wanted + ".");
     } else {
       const std::string shown =
-          entry.kind == ValueKind::kBraces ? quoted("{" + std::string(entry.value) + "}") : quoted(entry.value);
+          entry.kind == Kind::kBraces ? quoted("{" + std::string(entry.value) + "}") : quoted(entry.value);
       warn(entry.valuePlace, name + " cannot be " + shown + " and is left out; it takes " + wanted + ".");
     }
   }
 
   template <typename T>
   std::optional<T> readWord(const Entry& entry, const Vocabulary<T>& words) {
-    if (entry.kind == ValueKind::kWord || entry.kind == ValueKind::kString) {
+    if (entry.kind == Kind::kWord || entry.kind == Kind::kString) {
       if (const auto value = find(words, trim(entry.value))) return value;
     }
     warnOfValue(entry, listed(words.names));
@@ -435,7 +303,7 @@ private:
   }
 
   void readFlag(const Entry& entry, bool& flag) {
-    if (entry.kind == ValueKind::kNothing) {
+    if (entry.kind == Kind::kNoValue) {
       flag = true;
     } else {
       assign(flag, readWord<bool>(entry, {kFlags, kFlagAliases}));
@@ -444,8 +312,7 @@ private:
 
   void readType(const Entry& entry) {
     // "linear" leaves the rest to the reference, whose default is the edges.
-    if (entry.kind != ValueKind::kNothing && entry.kind != ValueKind::kBraces && keyOf(trim(entry.value)) == "linear")
-      return;
+    if (entry.kind != Kind::kNoValue && entry.kind != Kind::kBraces && keyOf(trim(entry.value)) == "linear") return;
     type_ = readWord<HandleType>(entry, {kTypes, kTypeAliases});
   }
 
@@ -459,7 +326,7 @@ private:
   void readMinLength(const Entry& entry) {
     std::string_view text = trim(entry.value);
     if (text.ends_with("px")) text = trim(text.substr(0, text.size() - 2));
-    const auto number = entry.kind == ValueKind::kBraces ? std::nullopt : parseDouble(text);
+    const auto number = entry.kind == Kind::kBraces ? std::nullopt : parseDouble(text);
     if (number && *number >= 0) {
       out().minLengthPx = *number;
     } else {
@@ -470,7 +337,7 @@ private:
   void readColor(const Entry& entry) {
     const std::string_view text = trim(entry.value);
     std::array<std::uint8_t, 3> color{};
-    bool good = entry.kind != ValueKind::kBraces && text.size() == 7 && text[0] == '#';
+    bool good = entry.kind != Kind::kBraces && text.size() == 7 && text[0] == '#';
     for (std::size_t i = 1; good && i < 7; ++i) {
       const char c = text[i];
       int digit = -1;
@@ -490,7 +357,7 @@ private:
   void readTranslate(const Entry& entry) {
     Vec3 translate(0.0);
     int count = 0;
-    bool good = entry.kind == ValueKind::kBraces;
+    bool good = entry.kind == Kind::kBraces;
     std::string_view rest = entry.value;
     while (good) {
       const std::size_t comma = rest.find(',');
@@ -534,7 +401,7 @@ private:
   std::optional<HandleType> type_, reference_;
   std::optional<Orient> orient_;
   Entry orientEntry_;
-  Place referencePlace_;
+  TextPlace referencePlace_;
   bool diameterArrow_ = false;
   bool endsGiven_ = false;
 };
@@ -542,7 +409,7 @@ private:
 }  // namespace
 
 Result<ParsedAnnotation> parseAnnotation(std::string_view text) {
-  const auto entries = Scanner(text).scan();
+  const auto entries = scanAnnotation(text);
   if (!entries) return entries.error();
   return Interpreter().interpret(*entries);
 }
