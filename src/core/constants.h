@@ -30,6 +30,14 @@ inline constexpr double kViewportMarginPx = 6.0;
 /// it is hidden, "too-short" (or "foreshortened" when it points at the viewer). Authors raise it by min-length.
 inline constexpr double kMinLineLengthPx = 8.0;
 
+/// rad. A base line within this of the view direction is hidden, "foreshortened": on screen it says nothing about its length,
+/// and a drag of a pixel would be a leap.
+inline constexpr double kForeshortenedAngleRad = 0.15;
+
+/// px. How much further out than the least offset a line is tried, step by step, when its label has no room there.
+inline constexpr double kLabelPushStepPx = 10.0;
+inline constexpr int kLabelPushSteps = 4;
+
 /// px. Length of an arrowhead along its line, at rest; half its width across.
 inline constexpr double kArrowLengthPx = 12.0;
 inline constexpr double kArrowHalfWidthPx = 4.0;

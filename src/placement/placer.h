@@ -18,8 +18,8 @@ class Placer {
   Placer& operator=(Placer&&) noexcept;
 
   /// Prepares a model's scene: which scopes each parameter measures, and the order in which parameters are placed (paper 4.5: shortest first, by
-  /// the mean world length of their base lines). The choices of the last frame are kept: a rebuilt model keeps its lines where they are.
-  /// `model` must outlive the next call; `scene` is read only here.
+  /// the mean world length of their base lines). The choices of the last frame are kept when the parameters are the same ones: a rebuilt
+  /// model keeps its lines where they are. Copies what it needs.
   void setScene(const Model& model, const Scene& scene);
 
   /// Forgets the last frame, as for another model.

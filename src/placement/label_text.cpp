@@ -1,0 +1,11 @@
+#include "placement/label_text.h"
+
+namespace dimline {
+
+std::string labelText(const Parameter& parameter, double value) {
+  const std::string text = formatValue(parameter, value);
+  const bool bare = parameter.unit == Unit::kNone && (parameter.type == ParameterType::kInt || parameter.type == ParameterType::kFloat);
+  return bare ? parameter.title + " " + text : text;
+}
+
+}  // namespace dimline

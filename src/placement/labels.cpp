@@ -1,0 +1,102 @@
+#include "placement/labels.h"
+
+#include <cmath>
+
+namespace dimline {
+
+namespace {
+
+/// How far along a unit direction the border of a box lies from its middle.
+double reach(const Vec2& halfSize, const Vec2& direction) {
+  const double dx = std::abs(direction.x);
+  const double dy = std::abs(direction.y);
+  const double alongX = dx > 0 ? halfSize.x / dx : std::numeric_limits<double>::infinity();
+  const double alongY = dy > 0 ? halfSize.y / dy : std::numeric_limits<double>::infinity();
+  return std::min(alongX, alongY);
+}
+
+/// Half the extent of a box at right angles to a line of the given normal.
+double halfExtent(const Vec2& halfSize, const Vec2& normal) {
+  return halfSize.x * std::abs(normal.x) + halfSize.y * std::abs(normal.y);
+}
+
+Box2 boxAround(const Vec2& center, const Vec2& size) { return {center - size * 0.5, center + size * 0.5}; }
+
+/// The part of a segment within a box, or nothing.
+std::optional<Segment2> clipped(const Segment2& s, const Box2& box) {
+  double enter = 0.0;
+  double leave = 1.0;
+  const Vec2 d = s.end - s.start;
+  for (int axis = 0; axis < 2; ++axis) {
+    if (d[axis] == 0.0) {
+      if (s.start[axis] < box.min[axis] || s.start[axis] > box.max[axis]) return std::nullopt;
+      continue;
+    }
+    const double t0 = (box.min[axis] - s.start[axis]) / d[axis];
+    const double t1 = (box.max[axis] - s.start[axis]) / d[axis];
+    enter = std::max(enter, std::min(t0, t1));
+    leave = std::min(leave, std::max(t0, t1));
+  }
+  if (enter > leave) return std::nullopt;
+  return Segment2{s.start + d * enter, s.start + d * leave};
+}
+
+/// Tries places in order and keeps the first that has room.
+class Search {
+ public:
+  Search(const LabelRequest& request, const Landed& landed, const Box2& viewport)
+      : request_(request), landed_(landed), allowed_(viewport.grown(-kViewportMarginPx)) {}
+
+  bool tryAt(const Vec2& center) {
+    const Box2 box = boxAround(center, request_.textSize);
+    if (box.min.x < allowed_.min.x || box.min.y < allowed_.min.y || box.max.x > allowed_.max.x || box.max.y > allowed_.max.y) {
+      return false;
+    }
+    if (request_.model != nullptr && !clears(*request_.model, box.grown(kLabelClearancePx))) return false;
+    if (!landed_.hasRoom(box)) return false;
+    found_ = box;
+    return true;
+  }
+  [[nodiscard]] const std::optional<Box2>& found() const { return found_; }
+
+ private:
+  const LabelRequest& request_;
+  const Landed& landed_;
+  Box2 allowed_;
+  std::optional<Box2> found_;
+};
+
+}  // namespace
+
+double interruptedLengthPx(const Vec2& textSize, const Vec2& lineDirection) {
+  return 2.0 * (reach(textSize * 0.5, lineDirection) + kLabelPaddingPx);
+}
+
+std::optional<Box2> placeLabel(const LabelRequest& request, const Landed& landed, const Box2& viewport) {
+  // A line inside the model may run out of the picture; its label stays with the part that is seen.
+  const auto visible = clipped(request.line, viewport.grown(-kViewportMarginPx));
+  if (!visible) return std::nullopt;
+  const double length = visible->length();
+  const Vec2 direction = length > 0 ? (visible->end - visible->start) / length : Vec2(1, 0);
+  const Vec2 half = request.textSize * 0.5;
+  Search search(request, landed, viewport);
+
+  const double room = 0.5 * (length - interruptedLengthPx(request.textSize, direction)) - kArrowLengthPx - kLabelPaddingPx;
+  if (room >= 0) {
+    for (const double share : {0.0, -0.5, 0.5, -1.0, 1.0}) {
+      if (search.tryAt(visible->middle() + direction * (share * room))) return search.found();
+    }
+  }
+  const double beyond = reach(half, direction) + kArrowHalfWidthPx + kLabelPaddingPx;
+  if (search.tryAt(request.line.end + direction * beyond)) return search.found();
+  if (search.tryAt(request.line.start - direction * beyond)) return search.found();
+
+  Vec2 normal{-direction.y, direction.x};
+  if (glm::dot(normal, request.outward) < 0) normal = -normal;
+  const double beside = halfExtent(half, normal) + kArrowHalfWidthPx + kLabelPaddingPx;
+  if (search.tryAt(visible->middle() + normal * beside)) return search.found();
+  if (search.tryAt(visible->middle() - normal * beside)) return search.found();
+  return std::nullopt;
+}
+
+}  // namespace dimline

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <optional>
+
+#include "placement/landed.h"
+#include "silhouette/distance_fields.h"
+
+namespace dimline {
+
+/// Where the text of a line goes (DESIGN.md section 4, "Labels count"): upright, riding on the line, which is interrupted for it; when the line
+/// is too short for that, beyond one of its ends or beside its middle.
+///
+///        |<----- 2.40 m ----->|        |<->| 2.40 m        2.40 m
+///                                                          |<->|
+struct LabelRequest {
+  Segment2 line;                  ///< px, the final line
+  Vec2 textSize{0.0};             ///< px, without padding
+  Vec2 outward{0.0};              ///< screen direction from the model to the line; zero when inside
+  const DistanceFields* model = nullptr;   ///< the label clears these fields; null when the line lies inside the model
+};
+
+/// The first place with room, in the order of preference: the middle of the line, along it, beyond its end, beyond its start, beside it. Within the viewport's
+/// margin, clear of the model and of all that has landed. Nothing when there is no such place.
+std::optional<Box2> placeLabel(const LabelRequest& request, const Landed& landed, const Box2& viewport);
+
+/// Length (px) of a line that its label covers when it rides on it.
+double interruptedLengthPx(const Vec2& textSize, const Vec2& lineDirection);
+
+}  // namespace dimline

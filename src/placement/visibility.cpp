@@ -1,0 +1,21 @@
+#include "placement/visibility.h"
+
+namespace dimline {
+
+bool inView(const View& view, const Obb& box) {
+  unsigned beyondAll = 0x1F;   // one bit a side: near, left, right, top, bottom
+  for (int i = 0; i < 8; ++i) {
+    const Vec3 corner = box.corner(i);
+    const Vec3 h = view.worldToPixels() * Vec4(corner, 1.0);
+    unsigned beyond = 0;
+    if (!view.inFrontOfNear(corner)) beyond |= 1U;
+    if (h.x < 0) beyond |= 2U;
+    if (h.x > view.widthPx() * h.z) beyond |= 4U;
+    if (h.y < 0) beyond |= 8U;
+    if (h.y > view.heightPx() * h.z) beyond |= 16U;
+    beyondAll &= beyond;
+  }
+  return beyondAll == 0;
+}
+
+}  // namespace dimline
