@@ -1,0 +1,208 @@
+#include "gpu/gpu_fields.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include <glm/gtc/type_ptr.hpp>
+
+#include "shaders.h"
+
+namespace dimline {
+
+namespace {
+
+/// Texels that one step of the reduction takes together. Eight makes four steps of any mask up to 4096 wide.
+constexpr int kTexelsPerStep = 8;
+
+int stepped(int size) { return (size + kTexelsPerStep - 1) / kTexelsPerStep; }
+
+/// Integer pixels read back in the one format that every driver must offer: four 32-bit numbers.
+constexpr std::size_t kIntegerPixelBytes = 16;
+
+}  // namespace
+
+Result<GpuFields> GpuFields::make(const GlContext& context) {
+  GpuFields fields(context);
+  for (Program* program : {&fields.maskProgram_, &fields.firstStepProgram_, &fields.stepProgram_}) {
+    if (Status status = program->status(); !status) return status.error();
+  }
+  fields.maskMatrix_ = fields.maskProgram_.uniform("worldToClip");
+  fields.firstAxis_ = fields.firstStepProgram_.uniform("axis");
+  fields.stepAxis_ = fields.stepProgram_.uniform("axis");
+  fields.firstStepProgram_.bindSampler("mask", 0);
+  fields.stepProgram_.bindSampler("extremes", 0);
+  return fields;
+}
+
+GpuFields::GpuFields(const GlContext& context)
+    : context_(&context),
+      reduction_(context.software() ? FieldReduction::kOnCpu : FieldReduction::kOnGpu),
+      maskProgram_(context, {.label = "mask", .vertex = {shaders::instance_glsl, shaders::mask_vert}, .fragment = {shaders::mask_frag}}),
+      firstStepProgram_(context, {.label = "extremes of the mask",
+                                  .vertex = {shaders::fullscreen_vert},
+                                  .fragment = {shaders::extremes_frag},
+                                  .defines = "#define FIRST_STEP 1\n"}),
+      stepProgram_(context, {.label = "extremes", .vertex = {shaders::fullscreen_vert}, .fragment = {shaders::extremes_frag}}),
+      noVertices_(context) {
+  for (Flight& flight : flights_) flight.readback = PixelReadback(context);
+}
+
+void GpuFields::resize(int width, int height) {
+  if (mask_.width == width && mask_.height == height) return;
+  const auto target = [&](GLenum format, int w, int h) {
+    Target made;
+    made.width = w;
+    made.height = h;
+    made.texture = makeTexture2D(*context_, format, w, h, Sampling::kNearest);
+    made.framebuffer = Framebuffer(*context_);
+    glBindFramebuffer(GL_FRAMEBUFFER, made.framebuffer.id());
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, made.texture.id(), 0);
+    return made;
+  };
+  // R8 and RG16UI are drawable in every OpenGL ES 3.0 and WebGL 2.
+  mask_ = target(GL_R8, width, height);
+  rowSteps_.clear();
+  columnSteps_.clear();
+  for (int w = stepped(width);; w = stepped(w)) {
+    rowSteps_.push_back(target(GL_RG16UI, w, height));
+    if (w == 1) break;
+  }
+  for (int h = stepped(height);; h = stepped(h)) {
+    columnSteps_.push_back(target(GL_RG16UI, width, h));
+    if (h == 1) break;
+  }
+}
+
+std::uint64_t GpuFields::request(const GpuScene& scene, const View& view, double devicePixelRatio) {
+  const auto free = std::find_if(flights_.begin(), flights_.end(), [](const Flight& f) { return f.number == 0; });
+  if (free == flights_.end()) return 0;
+  const int limit = std::min(context_->maxTextureSize(), static_cast<int>(MaskExtremes::kNothing) - 1);
+  const double ratio = std::min(devicePixelRatio, limit / std::max(view.widthPx(), view.heightPx()));
+  Flight& flight = *free;
+  flight.number = ++lastNumber_;
+  flight.reduction = reduction_;
+  flight.widthPx = view.widthPx();
+  flight.heightPx = view.heightPx();
+  flight.width = std::clamp(static_cast<int>(std::lround(view.widthPx() * ratio)), 1, limit);
+  flight.height = std::clamp(static_cast<int>(std::lround(view.heightPx() * ratio)), 1, limit);
+  resize(flight.width, flight.height);
+  drawMask(scene, view);
+
+  const auto width = static_cast<std::size_t>(flight.width);
+  const auto height = static_cast<std::size_t>(flight.height);
+  if (reduction_ == FieldReduction::kOnGpu) {
+    flight.readback.begin((width + height) * kIntegerPixelBytes);
+    reduce(true);
+    flight.readback.read(0, 0, 1, flight.height, GL_RGBA_INTEGER, GL_UNSIGNED_INT, 0);
+    reduce(false);
+    flight.readback.read(0, 0, flight.width, 1, GL_RGBA_INTEGER, GL_UNSIGNED_INT, height * kIntegerPixelBytes);
+  } else {
+    GLint format = 0;
+    glGetIntegerv(GL_IMPLEMENTATION_COLOR_READ_FORMAT, &format);
+    flight.bytesPerPixel = format == GL_RED ? 1 : 4;
+    flight.readback.begin(width * height * static_cast<std::size_t>(flight.bytesPerPixel));
+    flight.readback.read(0, 0, flight.width, flight.height, format == GL_RED ? GL_RED : GL_RGBA, GL_UNSIGNED_BYTE, 0);
+  }
+  flight.readback.end();
+  glBindFramebuffer(GL_FRAMEBUFFER, 0);
+  return flight.number;
+}
+
+void GpuFields::drawMask(const GpuScene& scene, const View& view) {
+  glBindFramebuffer(GL_FRAMEBUFFER, mask_.framebuffer.id());
+  glViewport(0, 0, mask_.width, mask_.height);
+  glDisable(GL_DEPTH_TEST);
+  glDisable(GL_CULL_FACE);
+  glDisable(GL_BLEND);
+  glClearColor(0, 0, 0, 0);
+  glClear(GL_COLOR_BUFFER_BIT);
+  if (scene.empty()) return;
+  maskProgram_.use();
+  // Upside down, so that the texture's first row is the screen's top one.
+  glm::dmat4 flip(1.0);
+  flip[1][1] = -1.0;
+  const glm::mat4 matrix(flip * view.viewProjection());
+  glUniformMatrix4fv(maskMatrix_, 1, GL_FALSE, glm::value_ptr(matrix));
+  scene.drawPositions();
+}
+
+const GpuFields::Target& GpuFields::reduce(bool alongRows) {
+  const std::vector<Target>& steps = alongRows ? rowSteps_ : columnSteps_;
+  glBindVertexArray(noVertices_.id());
+  glActiveTexture(GL_TEXTURE0);
+  const Target* from = &mask_;
+  for (const Target& to : steps) {
+    const bool first = from == &mask_;
+    (first ? firstStepProgram_ : stepProgram_).use();
+    glUniform2i(first ? firstAxis_ : stepAxis_, alongRows ? 1 : 0, alongRows ? 0 : 1);
+    glBindTexture(GL_TEXTURE_2D, from->texture.id());
+    glBindFramebuffer(GL_FRAMEBUFFER, to.framebuffer.id());
+    glViewport(0, 0, to.width, to.height);
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+    from = &to;
+  }
+  glBindVertexArray(0);
+  return *from;
+}
+
+std::optional<std::uint64_t> GpuFields::poll(DistanceFields& fields) {
+  Flight* newest = nullptr;
+  for (Flight& flight : flights_) {
+    if (flight.number == 0 || (newest != nullptr && flight.number < newest->number) || !flight.readback.ready()) continue;
+    newest = &flight;
+  }
+  if (newest == nullptr) return std::nullopt;
+  const std::uint64_t number = newest->number;
+  land(*newest, fields);
+  return number;
+}
+
+std::optional<std::uint64_t> GpuFields::finish(DistanceFields& fields) {
+  Flight* newest = nullptr;
+  for (Flight& flight : flights_) {
+    if (flight.number != 0 && (newest == nullptr || flight.number > newest->number)) newest = &flight;
+  }
+  if (newest == nullptr) return std::nullopt;
+  const std::uint64_t number = newest->number;
+  land(*newest, fields);
+  return number;
+}
+
+void GpuFields::land(Flight& flight, DistanceFields& fields) {
+  const auto width = static_cast<std::size_t>(flight.width);
+  const auto height = static_cast<std::size_t>(flight.height);
+  if (flight.reduction == FieldReduction::kOnGpu) {
+    bytes_.resize((width + height) * kIntegerPixelBytes);
+    flight.readback.copy(0, bytes_);
+    extremes_.rows.resize(height);
+    extremes_.columns.resize(width);
+    const auto range = [&](std::size_t pixel) {
+      std::array<std::uint32_t, 2> values{};
+      std::memcpy(values.data(), bytes_.data() + pixel * kIntegerPixelBytes, sizeof(values));
+      return MaskExtremes::Range{static_cast<std::uint16_t>(values[0]), static_cast<std::uint16_t>(values[1])};
+    };
+    for (std::size_t i = 0; i < height; ++i) extremes_.rows[i] = range(i);
+    for (std::size_t i = 0; i < width; ++i) extremes_.columns[i] = range(height + i);
+  } else {
+    const auto stride = static_cast<std::size_t>(flight.bytesPerPixel);
+    bytes_.resize(width * height * stride);
+    flight.readback.copy(0, bytes_);
+    if (stride != 1) {
+      gray_.resize(width * height);
+      for (std::size_t i = 0; i < gray_.size(); ++i) gray_[i] = bytes_[i * stride];
+    }
+    scanMask(stride == 1 ? bytes_ : gray_, flight.width, flight.height, extremes_);
+  }
+  fieldsFromExtremes(extremes_, flight.widthPx, flight.heightPx, fields);
+  // What is older than this one is of no use any more.
+  for (Flight& other : flights_) {
+    if (other.number == 0 || other.number > flight.number || &other == &flight) continue;
+    other.readback.finish();
+    other.number = 0;
+  }
+  flight.readback.finish();
+  flight.number = 0;
+}
+
+}  // namespace dimline
