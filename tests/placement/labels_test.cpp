@@ -1,0 +1,94 @@
+#include <catch2/catch.hpp>
+
+#include "placement/labels.h"
+
+using namespace dimline;
+
+namespace {
+
+const Box2 kViewport{{0, 0}, {1000, 1000}};
+const Vec2 kText{48, 16};
+
+PlacedLine placed(const Segment2& line, std::optional<Box2> label = std::nullopt) {
+  PlacedLine out;
+  out.lineScreen = line;
+  out.label = label;
+  return out;
+}
+
+}  // namespace
+
+TEST_CASE("a label rides on the middle of a line that is long enough") {
+  const auto box = placeLabel({.line = {{100, 500}, {300, 500}}, .textSize = kText}, Landed{}, kViewport);
+  REQUIRE(box);
+  CHECK(box->min == Vec2(176, 492));
+  CHECK(box->max == Vec2(224, 508));
+}
+
+TEST_CASE("the line is interrupted by the text's width along it and the padding") {
+  CHECK(interruptedLengthPx(kText, {1, 0}) == Approx(48 + 8));
+  CHECK(interruptedLengthPx(kText, {0, 1}) == Approx(16 + 8));
+}
+
+TEST_CASE("a label moves along its line when the middle is taken") {
+  Landed landed;
+  landed.add(placed({{190, 400}, {190, 600}}));
+  const auto box = placeLabel({.line = {{100, 500}, {300, 500}}, .textSize = kText}, landed, kViewport);
+  REQUIRE(box);
+  CHECK(box->center().y == Approx(500));
+  CHECK(landed.hasRoom(*box));
+  CHECK(box->center().x != Approx(200));
+}
+
+TEST_CASE("a label stands beyond the end of a line that is too short") {
+  const auto box = placeLabel({.line = {{100, 500}, {140, 500}}, .textSize = kText}, Landed{}, kViewport);
+  REQUIRE(box);
+  CHECK(box->min.x > 140);
+  CHECK(box->center().y == Approx(500));
+}
+
+TEST_CASE("a label that would leave the viewport goes elsewhere, and where nothing is left there is none") {
+  const auto box = placeLabel({.line = {{950, 500}, {990, 500}}, .textSize = kText}, Landed{}, kViewport);
+  REQUIRE(box);
+  CHECK(box->max.x < 950);
+  CHECK_FALSE(placeLabel({.line = {{10, 10}, {30, 10}}, .textSize = kText}, Landed{}, {{0, 0}, {40, 20}}));
+}
+
+TEST_CASE("a label clears the model") {
+  DistanceFields model;
+  model.reset(1000, 1000);
+  // The model's left side runs down at x = 220 beside a vertical line at x = 200: text riding on the line would touch it.
+  for (float& value : model[ViewportEdge::kLeft].edit()) value = 220;
+  for (std::size_t i = 220; i < 1000; ++i) {
+    model[ViewportEdge::kTop].edit()[i] = 0;
+    model[ViewportEdge::kBottom].edit()[i] = 0;
+  }
+  for (float& value : model[ViewportEdge::kRight].edit()) value = 0;
+  model.buildTrees();
+  const auto box = placeLabel({.line = {{200, 300}, {200, 700}}, .textSize = kText, .outward = {-20, 0}, .model = &model},
+                              Landed{}, kViewport);
+  REQUIRE(box);
+  CHECK(box->max.x + kLabelClearancePx <= 220);
+}
+
+TEST_CASE("labels keep clear of lines, extension lines and labels that have landed") {
+  Landed landed;
+  PlacedLine line = placed({{100, 100}, {100, 200}}, Box2{{80, 140}, {120, 160}});
+  line.extensionStart = {{300, 100}, {100, 100}};
+  landed.add(line);
+  CHECK_FALSE(landed.hasRoom({{98, 120}, {110, 130}}));    // on the line
+  CHECK_FALSE(landed.hasRoom({{200, 97}, {240, 107}}));    // on the extension line
+  CHECK_FALSE(landed.hasRoom({{122, 145}, {140, 155}}));   // 2 px beside the label
+  CHECK(landed.hasRoom({{126, 145}, {140, 155}}));
+}
+
+TEST_CASE("Intersect sees lines and extension lines crossing what has landed") {
+  Landed landed;
+  PlacedLine line = placed({{100, 100}, {100, 200}});
+  line.extensionStart = {{300, 100}, {100, 100}};
+  line.extensionEnd = {{300, 200}, {100, 200}};
+  landed.add(line);
+  CHECK(landed.crosses({{300, 120}, {300, 160}}, {{60, 120}, {60, 160}}));         // its extension lines cross the line
+  CHECK(landed.crosses({{200, 50}, {220, 50}}, {{200, 150}, {220, 150}}));         // ... an extension line
+  CHECK_FALSE(landed.crosses({{300, 120}, {300, 160}}, {{140, 120}, {140, 160}}));
+}

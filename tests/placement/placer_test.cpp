@@ -1,0 +1,336 @@
+#include <catch2/catch.hpp>
+
+#include <memory>
+
+#include "placement/placer.h"
+#include "silhouette/cpu_fields.h"
+#include "support/allocation_count.h"
+#include "support/scenes.h"
+
+using namespace dimline;
+using namespace dimline::test;
+
+namespace {
+
+/// A model with everything a frame needs, as an editor would hold it.
+struct Stage {
+  Model model;
+  Values values;
+  Scene scene;
+  CpuFields producer;
+  DistanceFields fields;
+  Placer placer;
+  Layout layout;
+
+  explicit Stage(ModelDefinition definition) : model(makeModel(std::move(definition)).value()), values(model.parameters()) { rebuild(); }
+
+  void rebuild() {
+    scene = model.definition.build(values);
+    producer.setScene(scene);
+    placer.setScene(model, scene);
+  }
+  const Layout& look(const Camera& camera, double width = 1000, double height = 1000) {
+    const View view(camera, width, height, scene.bounds);
+    producer.produce(view, fields);
+    placer.place(view, fields, values, layout);
+    return layout;
+  }
+  [[nodiscard]] std::string nameOf(const PlacedLine& line) const { return model.parameters()[line.parameter].name; }
+  [[nodiscard]] const PlacedLine* find(std::string_view name) const {
+    for (const PlacedLine& line : layout.lines) {
+      if (nameOf(line) == name) return &line;
+    }
+    return nullptr;
+  }
+};
+
+double cross(const Vec2& a, const Vec2& b) { return a.x * b.y - a.y * b.x; }
+
+/// Distance of a segment on screen from the model: from the outlines of all its projected triangles, or 0 inside one. Shares nothing with the fields.
+double distanceToModel(const Segment2& segment, const Scene& scene, const View& view) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const Instance& instance : scene.instances) {
+    const Mesh& mesh = scene.meshes[instance.mesh];
+    for (const auto& triangle : mesh.triangles) {
+      std::array<Vec2, 3> p;
+      for (std::size_t i = 0; i < 3; ++i) p[i] = view.toScreen(Vec3(instance.transform * glm::vec4(mesh.positions[triangle[i]], 1.0F)));
+      int positive = 0;
+      int negative = 0;
+      for (std::size_t i = 0; i < 3; ++i) {
+        least = std::min(least, distanceBetween(segment, Segment2{p[i], p[(i + 1) % 3]}));
+        (cross(p[(i + 1) % 3] - p[i], segment.start - p[i]) > 0 ? positive : negative)++;
+      }
+      if (positive == 3 || negative == 3) least = 0;
+    }
+  }
+  return least;
+}
+
+/// Two segments run beside each other where the shadow of one on the other is longer than a pixel.
+bool besideEachOther(const Segment2& a, const Segment2& b) {
+  const Vec2 d = glm::normalize(a.end - a.start);
+  if (std::abs(cross(d, glm::normalize(b.end - b.start))) > 0.05) return false;
+  const double b0 = glm::dot(b.start - a.start, d);
+  const double b1 = glm::dot(b.end - a.start, d);
+  return std::min(std::max(b0, b1), a.length()) - std::max(std::min(b0, b1), 0.0) > 1.0;
+}
+
+std::vector<Camera> cameras(const Vec3& target, double distanceM) {
+  std::vector<Camera> all;
+  for (const double elevation : {10.0, 30.0, 60.0}) {
+    for (double azimuth = 0; azimuth < 360; azimuth += 7) all.push_back(orbitCamera(target, distanceM, azimuth, elevation));
+  }
+  return all;
+}
+
+}  // namespace
+
+TEST_CASE("on orbits, every line keeps handleSpacing from the model, and labels do not touch it") {
+  Stage stage(boxWithDoor());
+  std::size_t outside = 0;
+  for (const Camera& camera : cameras(stage.scene.bounds.center(), 30)) {
+    const Layout& layout = stage.look(camera);
+    for (const PlacedLine& line : layout.lines) {
+      INFO(stage.nameOf(line) << " from " << camera.eye.x << ", " << camera.eye.y << ", " << camera.eye.z);
+      REQUIRE(line.placement == PlacementKind::kOutside);
+      ++outside;
+      CHECK(distanceToModel(line.lineScreen, stage.scene, layout.view) >= 29.5);
+      REQUIRE(line.label.has_value());
+      const Box2& b = *line.label;
+      for (const Segment2& side : {Segment2{b.min, {b.max.x, b.min.y}}, Segment2{{b.max.x, b.min.y}, b.max}, Segment2{b.max, {b.min.x, b.max.y}},
+                                   Segment2{{b.min.x, b.max.y}, b.min}}) {
+        CHECK(distanceToModel(side, stage.scene, layout.view) >= 2.0);
+      }
+    }
+  }
+  CHECK(outside > 500);
+}
+
+TEST_CASE("on orbits, lines keep handleSpacing from each other, never cross, and their labels keep apart") {
+  Stage stage(boxWithDoor());
+  for (const Camera& camera : cameras(stage.scene.bounds.center(), 30)) {
+    const Layout& layout = stage.look(camera);
+    for (std::size_t i = 0; i < layout.lines.size(); ++i) {
+      for (std::size_t j = i + 1; j < layout.lines.size(); ++j) {
+        const PlacedLine& a = layout.lines[i];
+        const PlacedLine& b = layout.lines[j];
+        INFO(stage.nameOf(a) << " and " << stage.nameOf(b) << " from " << camera.eye.x << ", " << camera.eye.y << ", " << camera.eye.z);
+        CHECK_FALSE(segmentsCross(a.lineScreen, b.lineScreen));
+        if (besideEachOther(a.lineScreen, b.lineScreen)) CHECK(distanceBetween(a.lineScreen, b.lineScreen) >= 29.5);
+        if (a.label && b.label) CHECK_FALSE(a.label->overlaps(*b.label));
+        if (a.label) CHECK_FALSE(meets(b.lineScreen, *a.label));
+        if (b.label) CHECK_FALSE(meets(a.lineScreen, *b.label));
+      }
+    }
+  }
+}
+
+TEST_CASE("every parameter with a dimension line is shown or hidden, once") {
+  Stage stage(boxWithDoor());
+  for (const Camera& camera : cameras(stage.scene.bounds.center(), 30)) {
+    const Layout& layout = stage.look(camera);
+    std::vector<int> seen(stage.model.parameters().size(), 0);
+    for (const PlacedLine& line : layout.lines) ++seen[line.parameter];
+    for (const HiddenParameter& hidden : layout.hidden) ++seen[hidden.parameter];
+    CHECK(seen == std::vector<int>(seen.size(), 1));
+  }
+}
+
+TEST_CASE("a line is its base line moved in parallel, and its extension lines tie the two") {
+  Stage stage(boxWithDoor());
+  const Layout& layout = stage.look(orbitCamera({0, 2.5, 0}, 30, 35, 20));
+  REQUIRE(layout.lines.size() == 5);
+  for (const PlacedLine& line : layout.lines) {
+    CHECK(glm::length((line.line.end - line.line.start) - (line.base.end - line.base.start)) < 1e-9);
+    CHECK(std::abs(glm::dot(line.line.start - line.plane.point, line.plane.normal)) < 1e-9);
+    CHECK(line.extensionStart.front() == line.baseScreen.start);
+    CHECK(line.extensionEnd.back() == line.lineScreen.end);
+    CHECK(line.lengthM == Approx(line.value));
+    CHECK(line.handles.size() == 1);
+    CHECK(line.handles[0].screen == line.lineScreen.end);
+  }
+}
+
+TEST_CASE("parameters are placed shortest first") {
+  Stage stage(boxWithDoor());
+  const Layout& layout = stage.look(orbitCamera({0, 2.5, 0}, 30, 35, 20));
+  for (std::size_t i = 1; i < layout.lines.size(); ++i) CHECK(layout.lines[i - 1].lengthM <= layout.lines[i].lengthM);
+}
+
+TEST_CASE("a still camera never moves a line, and the same frames give the same bits") {
+  Stage one(boxWithDoor());
+  Stage two(boxWithDoor());
+  for (const Camera& camera : cameras(one.scene.bounds.center(), 30)) {
+    one.look(camera);
+    const std::vector<PlacedLine> first = one.layout.lines;
+    one.look(camera);
+    two.look(camera);
+    two.look(camera);
+    REQUIRE(one.layout.lines.size() == first.size());
+    REQUIRE(two.layout.lines.size() == first.size());
+    for (std::size_t i = 0; i < first.size(); ++i) {
+      for (const PlacedLine* other : {&one.layout.lines[i], &two.layout.lines[i]}) {
+        CHECK(other->identity == first[i].identity);
+        CHECK(other->lineScreen.start == first[i].lineScreen.start);
+        CHECK(other->lineScreen.end == first[i].lineScreen.end);
+        CHECK(other->label->min == first[i].label->min);
+      }
+    }
+  }
+}
+
+TEST_CASE("an orthographic camera gives lines parallel to their base lines on screen, 30 px or more outside") {
+  Stage stage(boxWithDoor());
+  Camera camera = orbitCamera(stage.scene.bounds.center(), 30, 35, 25);
+  camera.orthoHeightM = 20;
+  const Layout& layout = stage.look(camera);
+  REQUIRE(layout.lines.size() == 5);
+  for (const PlacedLine& line : layout.lines) {
+    const Vec2 moved = line.lineScreen.end - line.lineScreen.start;
+    const Vec2 base = line.baseScreen.end - line.baseScreen.start;
+    CHECK(glm::length(moved - base) < 1e-6);
+    CHECK(distanceToModel(line.lineScreen, stage.scene, layout.view) >= 29.5);
+  }
+}
+
+TEST_CASE("a lone box seen orthographically from the front: the width line lies 30 px off, worked out by hand") {
+  ModelDefinition definition = boxWithDoor();
+  definition.parameters.resize(1);
+  definition.build = [](const Values& v) {
+    Scene scene;
+    const Obb box = boxAt({-v.at(0) / 2, 0, -3}, {v.at(0), 5, 6});
+    addBox(scene, box);
+    scene.scopes.push_back({"Box", 0, box});
+    finish(scene);
+    return scene;
+  };
+  Stage stage(std::move(definition));
+  Camera camera;
+  camera.eye = {0, 2.5, 30};
+  camera.target = {0, 2.5, 0};
+  camera.orthoHeightM = 20;   // 50 px a metre; the box covers x 300..700, y 375..625
+  const Layout& layout = stage.look(camera);
+  REQUIRE(layout.lines.size() == 1);
+  const PlacedLine& line = layout.lines[0];
+  CHECK(line.lineScreen.start.x == Approx(300));
+  CHECK(line.lineScreen.end.x == Approx(700));
+  const double y = line.lineScreen.start.y;
+  CHECK(line.lineScreen.end.y == Approx(y));
+  // Above or below, as far as the front or the back face puts it; the padded field counts whole strips.
+  CHECK((std::abs(y - 345) < 1.0 || std::abs(y - 655) < 1.0));
+  CHECK(line.facing == Facing::kFront);
+  REQUIRE(line.label);
+  CHECK(line.label->center().x == Approx(500));
+}
+
+TEST_CASE("zoomed in until the silhouette leaves the viewport, lines lie on their base lines") {
+  Stage stage(boxWithDoor());
+  Camera camera = orbitCamera({0, 1, 3}, 3.5, 10, 5);
+  const Layout& layout = stage.look(camera);
+  REQUIRE_FALSE(layout.lines.empty());
+  for (const PlacedLine& line : layout.lines) {
+    CHECK(line.placement == PlacementKind::kInside);
+    CHECK(line.planeKind == PlaneKind::kNone);
+    CHECK(line.line.start == line.base.start);
+    CHECK(line.extensionStart.empty());
+  }
+  CHECK(stage.find("DoorHeight") != nullptr);
+}
+
+TEST_CASE("what cannot be shown says why") {
+  Stage stage(boxWithDoor());
+  const auto reason = [&](std::string_view name) {
+    for (const HiddenParameter& hidden : stage.layout.hidden) {
+      if (stage.model.parameters()[hidden.parameter].name == name) return hidden.reason;
+    }
+    return HiddenReason::kNoScope;
+  };
+  Camera front;
+  front.eye = {0, 2.5, 40};
+  front.target = {0, 2.5, 0};
+  front.orthoHeightM = 20;
+  stage.look(front);
+  CHECK(reason("Depth") == HiddenReason::kForeshortened);
+
+  Camera away = front;
+  away.target = {0, 2.5, 80};
+  away.orthoHeightM.reset();
+  stage.look(away);
+  CHECK(stage.layout.lines.empty());
+  CHECK(reason("Width") == HiddenReason::kOutOfView);
+  CHECK(stage.layout.visibleScopes.empty());
+
+  stage.look(orbitCamera({0, 2.5, 0}, 3000, 35, 20));
+  CHECK(stage.layout.lines.empty());
+  CHECK(reason("Height") == HiddenReason::kTooShort);
+}
+
+TEST_CASE("a camera inside the model gives a layout without a NaN") {
+  Stage stage(boxWithDoor());
+  for (double azimuth = 0; azimuth < 360; azimuth += 15) {
+    Camera camera;
+    camera.eye = {0.3, 1.6, 0.2};
+    camera.target = orbitCamera(camera.eye, 1, azimuth, 10).eye;
+    camera.fovRad = 1.2;
+    for (const PlacedLine& line : stage.look(camera).lines) {
+      CHECK(std::isfinite(line.lineScreen.start.x + line.lineScreen.start.y + line.lineScreen.end.x + line.lineScreen.end.y));
+    }
+  }
+}
+
+TEST_CASE("the same model mirrored gives the mirrored picture") {
+  // The box and its door are symmetric in x, so mirroring the camera mirrors the whole situation.
+  Stage stage(boxWithDoor());
+  Stage mirrored(boxWithDoor());
+  const Camera right = orbitCamera({0, 2.5, 0}, 30, 33, 20);
+  const Camera left = orbitCamera({0, 2.5, 0}, 30, -33, 20);
+  stage.look(right);
+  mirrored.look(left);
+  for (const char* name : {"Height", "Depth"}) {
+    const PlacedLine* a = stage.find(name);
+    const PlacedLine* b = mirrored.find(name);
+    REQUIRE(a != nullptr);
+    REQUIRE(b != nullptr);
+    CHECK(a->lineScreen.start.x == Approx(1000 - b->lineScreen.start.x).margin(1.5));
+    CHECK(a->lineScreen.start.y == Approx(b->lineScreen.start.y).margin(1.5));
+  }
+}
+
+TEST_CASE("scaling the world changes nothing on screen") {
+  Stage stage(boxWithDoor());
+  ModelDefinition big = boxWithDoor();
+  for (Parameter& p : big.parameters) {
+    p.defaultValue *= 1000;
+    p.max *= 1000;
+  }
+  Stage scaled(std::move(big));
+  // The door's depth is fixed in the definition; compare what does not depend on it.
+  const Camera camera = orbitCamera({0, 2.5, 0}, 30, 33, 20);
+  Camera far = camera;
+  far.eye *= 1000;
+  far.target *= 1000;
+  stage.look(camera);
+  scaled.look(far);
+  const PlacedLine* a = stage.find("Height");
+  const PlacedLine* b = scaled.find("Height");
+  REQUIRE(a != nullptr);
+  REQUIRE(b != nullptr);
+  CHECK(glm::length(a->lineScreen.start - b->lineScreen.start) < 2.0);
+  CHECK(a->identity == b->identity);
+}
+
+TEST_CASE("a warmed-up frame allocates nothing") {
+  Stage stage(boxWithDoor());
+  const std::vector<Camera> all = cameras(stage.scene.bounds.center(), 30);
+  std::vector<View> views;
+  std::vector<DistanceFields> fields(all.size());
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    views.emplace_back(all[i], 1000, 1000, stage.scene.bounds);
+    stage.producer.produce(views[i], fields[i]);
+    stage.placer.place(views[i], fields[i], stage.values, stage.layout);
+  }
+  const std::size_t before = allocationCount();
+  for (std::size_t i = 0; i < all.size(); ++i) stage.placer.place(views[i], fields[i], stage.values, stage.layout);
+  CHECK(allocationCount() == before);
+  CHECK(stage.layout.lines.size() >= 4);
+}

@@ -1,0 +1,72 @@
+#include <catch2/catch.hpp>
+
+#include "placement/score.h"
+
+using namespace dimline;
+
+namespace {
+
+// A base line 100 px long and its candidate 40 px to the right of it, 90 px long.
+ScoreInput plain() {
+  ScoreInput in;
+  in.base = {{100, 100}, {100, 200}};
+  in.candidate = {{140, 105}, {140, 195}};
+  return in;
+}
+
+}  // namespace
+
+// Each expected number is worked out from section 4.2: lambdas -1, 0.02, 90, 15, -30, 90.
+TEST_CASE("Dist and LenCandidate: middle to middle, and the length on screen") {
+  CHECK(score(plain()) == Approx(-40.0 + 0.02 * 90.0));
+}
+
+TEST_CASE("SSAlign is the cosine to the preferred direction") {
+  ScoreInput in = plain();
+  in.align = Align::kRight;
+  CHECK(score(in) == Approx(-38.2 + 90.0));
+  in.align = Align::kLeft;
+  CHECK(score(in) == Approx(-38.2 - 90.0));
+  in.align = Align::kTop;
+  CHECK(score(in) == Approx(-38.2));
+  in.align = Align::kBottomRight;
+  CHECK(score(in) == Approx(-38.2 + 90.0 * 0.70710678));
+}
+
+TEST_CASE("Damp rewards the last frame's choice") {
+  ScoreInput in = plain();
+  in.sameAsLastFrame = true;
+  CHECK(score(in) == Approx(-38.2 + 15.0));
+}
+
+TEST_CASE("Intersect punishes a crossing") {
+  ScoreInput in = plain();
+  in.intersects = true;
+  CHECK(score(in) == Approx(-38.2 - 30.0));
+}
+
+TEST_CASE("Plane prefers front to back, and leaves billboards alone") {
+  ScoreInput in = plain();
+  in.planeKind = PlaneKind::kScope;
+  in.facing = Facing::kFront;
+  CHECK(score(in) == Approx(-38.2 + 90.0));
+  in.facing = Facing::kBack;
+  CHECK(score(in) == Approx(-38.2 + 45.0));
+  in.planeKind = PlaneKind::kBillboard;
+  CHECK(score(in) == Approx(-38.2));
+}
+
+TEST_CASE("a candidate on its base line has no direction, so alignment says nothing") {
+  ScoreInput in = plain();
+  in.candidate = in.base;
+  in.align = Align::kTop;
+  CHECK(score(in) == Approx(0.02 * 100.0));
+}
+
+TEST_CASE("inside, only length and the direction from the scope's middle count") {
+  const Segment2 base{{100, 100}, {100, 200}};
+  CHECK(scoreInside(base, {50, 150}, Align::kNone) == Approx(2.0));
+  CHECK(scoreInside(base, {50, 150}, Align::kRight) == Approx(2.0 + 90.0));
+  CHECK(scoreInside(base, {150, 150}, Align::kRight) == Approx(2.0 - 90.0));
+  CHECK(scoreInside(base, {100, 150}, Align::kRight) == Approx(2.0));
+}
