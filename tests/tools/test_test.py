@@ -1,0 +1,141 @@
+import json
+import os
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+from unittest import mock
+
+from tools_path import ROOT
+
+import build
+import test
+
+
+class NativeCounts(unittest.TestCase):
+    def count(self, log, status=0):
+        result = test.count_cases("test_math", log, status, "")
+        return result.passed, result.failed, result.output
+
+    def test_all_pass(self):
+        self.assertEqual(self.count("begin a\npass\nbegin b\npass\n")[:2], (2, 0))
+
+    def test_one_fails(self):
+        self.assertEqual(self.count("begin a\nfail\nbegin b\npass\n", status=1)[:2], (1, 1))
+
+    def test_no_case_is_a_failure(self):
+        passed, failed, output = self.count("")
+        self.assertEqual((passed, failed), (0, 1))
+        self.assertIn("no test", output)
+
+    def test_a_crash_names_its_case(self):
+        passed, failed, output = self.count("begin a\npass\nbegin the tree\n", status=-11)
+        self.assertEqual((passed, failed), (1, 1))
+        self.assertIn('"the tree"', output)
+
+    def test_a_leak_at_the_end_is_a_failure(self):
+        self.assertEqual(self.count("begin a\npass\n", status=23)[:2], (1, 1))
+
+
+class ScriptCounts(unittest.TestCase):
+    def count(self, entries, status=0):
+        result = test.count_tests("node/a.test.mjs", "".join(json.dumps(entry) + "\n" for entry in entries), status, "")
+        return result.passed, result.failed
+
+    def test_counts(self):
+        entry = {"name": "x", "passed": True, "left": False}
+        self.assertEqual(self.count([entry, entry]), (2, 0))
+        self.assertEqual(self.count([entry, dict(entry, passed=False)], status=1), (1, 1))
+
+    def test_a_skipped_test_is_a_failure(self):
+        self.assertEqual(self.count([{"name": "x", "passed": True, "left": True}]), (0, 1))
+
+    def test_a_file_without_tests_is_a_failure(self):
+        self.assertEqual(self.count([{"name": "/some/where/a.test.mjs", "passed": True, "left": False}]), (0, 1))
+
+    def test_a_file_that_does_not_load_is_one_failure(self):
+        self.assertEqual(self.count([{"name": "/some/where/a.test.mjs", "passed": False, "left": False}], status=1), (0, 1))
+
+
+class RealNode(unittest.TestCase):
+    """The reporter against node itself."""
+
+    def run_text(self, text):
+        with tempfile.TemporaryDirectory() as folder:
+            file = Path(folder) / "x.test.mjs"
+            file.write_text("import { test, describe, it } from 'node:test';\n" + text)
+            result = test.run_script(file, dict(os.environ))
+        return result.passed, result.failed
+
+    def test_tests_and_suites(self):
+        self.assertEqual(self.run_text("test('a', () => {}); describe('s', () => { it('b', () => {}); });"), (2, 0))
+
+    def test_failures(self):
+        self.assertEqual(self.run_text("describe('s', () => { it('b', () => { throw new Error('x'); }); it('c', () => {}); });"),
+                         (1, 1))
+
+    def test_skipped(self):
+        self.assertEqual(self.run_text("test('a', () => {}); test('b', { skip: true }, () => {});"), (1, 1))
+
+    def test_skipped_suite(self):
+        self.assertEqual(self.run_text("test('a', () => {}); describe('s', { skip: true }, () => { it('b', () => {}); });"), (1, 1))
+
+    def test_empty_file(self):
+        self.assertEqual(self.run_text(""), (0, 1))
+
+    def test_error_while_loading(self):
+        self.assertEqual(self.run_text("throw new Error('x');"), (0, 1))
+
+
+class Runs(unittest.TestCase):
+    def test_a_run_past_its_time_is_stopped_with_all_its_children(self):
+        with tempfile.TemporaryDirectory() as folder:
+            mark = Path(folder) / "pid"
+            script = f"import subprocess, time; p = subprocess.Popen(['sleep', '60']); " \
+                     f"open({str(mark)!r}, 'w').write(str(p.pid)); time.sleep(60)"
+            status, output = test.run_limited([sys.executable, "-c", script], 1.5, dict(os.environ))
+            child = int(mark.read_text())
+        self.assertNotEqual(status, 0)
+        self.assertIn("stopped after", output)
+        state = Path(f"/proc/{child}/stat")
+        self.assertTrue(not state.exists() or state.read_text().split()[2] in "ZX")
+
+    def test_a_part_that_cannot_run_is_a_failure(self):
+        def broken(match):
+            raise build.BuildError("error: no such thing")
+            yield
+
+        def breaks_midway(match):
+            yield test.Result("first", passed=3)
+            raise RuntimeError("boom")
+
+        with mock.patch("builtins.print"):
+            self.assertEqual(test.totals(test.run_part("native", broken, "")), (0, 1))
+            self.assertEqual(test.totals(test.run_part("native", breaks_midway, "")), (3, 1))
+            self.assertEqual(test.totals(test.run_part("native", lambda match: iter(()), "")), (0, 1))
+
+    def test_description_shows_the_output_of_a_failure_alone(self):
+        self.assertNotIn("noise", test.describe(test.Result("a", passed=1, output="noise")))
+        self.assertIn("    | reason", test.describe(test.failure("a", "reason")))
+
+    def test_last_line_and_exit_status(self):
+        run = subprocess.run([sys.executable, str(ROOT / "tools/test.py"), "--only", "node", "-k", "no such test"],
+                             capture_output=True, text=True, timeout=300,
+                             env=dict(os.environ, PATH=self.path_without_builds()))
+        self.assertRegex(run.stdout.strip().splitlines()[-1], re.compile(r"^\d+ passed, [1-9]\d* failed$"))
+        self.assertEqual(run.returncode, 1)
+
+    def path_without_builds(self):
+        """A PATH whose cmake does nothing, so that the run within the run builds nothing."""
+        temporary = tempfile.TemporaryDirectory()
+        self.addCleanup(temporary.cleanup)
+        cmake = Path(temporary.name) / "cmake"
+        cmake.write_text("#!/bin/sh\nexit 0\n")
+        cmake.chmod(0o755)
+        return f"{temporary.name}:{os.environ['PATH']}"
+
+
+if __name__ == "__main__":
+    unittest.main()
