@@ -18,18 +18,18 @@ enum class Unit { kNone, kMetre, kDegree, kSquareMetre };
 /// for an angle (its own unit, at every outer boundary and inside Values alike; models convert where they use it), 0 or 1, or the index
 /// of a choice.
 struct Parameter {
-  std::string name;                  ///< identifier, unique in the model: "WindowWidth"
-  std::string title;                 ///< for people: "Window width"
-  std::string help;                  ///< one sentence for a novice: what it changes
-  std::string group;                 ///< heading under which the panel shows it: "Windows"
+  std::string name{};                ///< identifier, unique in the model: "WindowWidth"
+  std::string title{};               ///< for people: "Window width"
+  std::string help{};                ///< one sentence for a novice: what it changes
+  std::string group{};               ///< heading under which the panel shows it: "Windows"
   ParameterType type = ParameterType::kFloat;
   Unit unit = Unit::kNone;
   double defaultValue = 0;
   double min = 0;
   double max = 1;
   double step = 0;                   ///< 0: any value; typed and scripted values may be off-step, drags snap to it
-  std::vector<std::string> choices;  ///< names of the choices, for kChoice
-  std::string annotation;            ///< the text beside the definition (DESIGN.md section 3); empty: only in the panel
+  std::vector<std::string> choices{};  ///< names of the choices, for kChoice
+  std::string annotation{};          ///< the text beside the definition (DESIGN.md section 3); empty: only in the panel
 };
 
 /// The values of a model's parameters, in the order of their definition.

@@ -6,26 +6,38 @@
 
 namespace dimline {
 
+/// A plane through a base line along one of its scope's axes (paper figure 6, left).
+struct ScopePlane {
+  Vec3 across{0.0};         ///< unit length, in the plane, at right angles to the base line
+  Vec3 normal{0.0};         ///< unit length; outward when the plane lies in a face of the scope
+  bool inFace = true;       ///< false: the plane passes through the scope's middle and has no outward side
+};
+
 /// Where a dimension would be on the object itself (paper 3.2 and figure 5), fixed end first.
 struct BaseLine {
   Segment segment;
   /// Which of the scope's base lines this is; the same line of the same scope keeps its number over frames and rebuilds.
   int number = 0;
-  /// The box's two other axes (0 to 2), and on which side of the box's middle the line lies along each: -1, 0 (in the middle) or +1.
-  std::array<int, 2> otherAxes{1, 2};
-  std::array<int, 2> sides{0, 0};
+  FixedVector<ScopePlane, 2> scopePlanes;   ///< none for the spherical types
 };
 
 /// At most four a scope.
 using BaseLines = FixedVector<BaseLine, 4>;
 
-/// The base lines of a scope. Plain geometry: whether a line is in view is for the caller to find out.
+/// The base lines of a scope as seen by `view`. Plain geometry: whether a line can be seen is for the caller to find out.
 ///
-/// linear-contour: the four edges along the axis, numbered 0 to 3 by the two other axes' sides. linear-center: one through the middle.
-/// Other types have none yet and give an empty result. `annotation.translate` moves them, in sizes of the scope.
-BaseLines baseLines(const Annotation& annotation, const Obb& scope);
+/// linear-contour       the 4 edges along the axis
+/// linear-center        1 through the middle
+/// diametric            2: on each face across the axis, the diameter of the inscribed ellipse at right angles to the view
+/// radial               4: the halves of those diameters, from the centre to the rim
+/// spherical-diametric  2: the horizontal (or vertical) screen diameter of the inscribed sphere, in both senses
+/// spherical-radial     4: its halves from the centre to the rim, then from the rim to the centre
+///
+/// Handles that are no lines have none. `annotation.translate` moves base lines, in sizes of the scope.
+BaseLines baseLines(const Annotation& annotation, const Obb& scope, const View& view);
 
-/// Mean world length (m) of a scope's base lines; 0 without any. By it parameters are ordered (paper 4.5).
-double meanLength(const BaseLines& lines);
+/// Mean world length (m) of a scope's base lines over all views; 0 without any. By it parameters are ordered once for all cameras
+/// (paper 4.5): exact for the linear and spherical types, and the mean of the ellipse's two axes for the diametric ones.
+double meanBaseLengthM(const Annotation& annotation, const Obb& scope);
 
 }  // namespace dimline

@@ -35,7 +35,7 @@ bool moveTo(Candidate& candidate, const Segment& line, const View& view) {
 
 void gatherBaseLines(const Annotation& annotation, const Scope& scope, std::size_t scopeNumber, const View& view,
                      std::vector<UsableBaseLine>& lines, BaseLineTally& tally) {
-  for (const BaseLine& line : baseLines(annotation, scope.box)) {
+  for (const BaseLine& line : baseLines(annotation, scope.box, view)) {
     const Segment& s = line.segment;
     if (!view.inFrontOfNear(s.start) || !view.inFrontOfNear(s.end)) {
       ++tally.outOfView;
@@ -60,9 +60,9 @@ void gatherBaseLines(const Annotation& annotation, const Scope& scope, std::size
   }
 }
 
-void gatherOutsideCandidates(const Annotation& annotation, const UsableBaseLine& base, const Obb& scope, const View& view,
+void gatherOutsideCandidates(const Annotation& annotation, const UsableBaseLine& base, const View& view,
                              const DistanceFields& padded, const Identity& lastFrame, std::vector<Candidate>& candidates) {
-  for (const SlipPlane& plane : slipPlanes(base.line, scope, annotation.slip, view)) {
+  for (const SlipPlane& plane : slipPlanes(base.line, annotation.slip, view)) {
     for (const int direction : {1, -1}) {
       const Vec3 outward = plane.across * static_cast<double>(direction);
       const auto slide = Slide::make(view, base.line.segment, outward);

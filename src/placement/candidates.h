@@ -42,7 +42,7 @@ void gatherBaseLines(const Annotation& annotation, const Scope& scope, std::size
 
 /// Adds the candidates of a base line outside the silhouette, up to two a plane (paper 4.1): slid to the least offset that clears `padded`, within the
 /// viewport's margin. `lastFrame`: the parameter's choice then, for the term Damp.
-void gatherOutsideCandidates(const Annotation& annotation, const UsableBaseLine& base, const Obb& scope, const View& view,
+void gatherOutsideCandidates(const Annotation& annotation, const UsableBaseLine& base, const View& view,
                              const DistanceFields& padded, const Identity& lastFrame, std::vector<Candidate>& candidates);
 
 /// Adds the base line itself (algorithm 1, line 9).

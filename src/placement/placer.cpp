@@ -30,7 +30,7 @@ struct Measured {
 
 double meanBaseLength(const Annotation& annotation, const std::vector<Scope>& scopes, const std::vector<std::size_t>& measured) {
   double sum = 0;
-  for (const std::size_t scope : measured) sum += meanLength(baseLines(annotation, scopes[scope].box));
+  for (const std::size_t scope : measured) sum += meanBaseLengthM(annotation, scopes[scope].box);
   return measured.empty() ? 0.0 : sum / static_cast<double>(measured.size());
 }
 
@@ -190,7 +190,7 @@ const Candidate* Placer::State::chooseOutside(const Measured& measured, const Vi
                                               std::optional<Box2>& label) {
   candidates.clear();
   for (const UsableBaseLine& base : bases) {
-    gatherOutsideCandidates(measured.annotation, base, scopes[base.scope].box, view, padded, lastFrame[measured.parameter], candidates);
+    gatherOutsideCandidates(measured.annotation, base, view, padded, lastFrame[measured.parameter], candidates);
   }
   // Equal scores keep the order of their making, so that the same frame always gives the same layout.
   std::ranges::sort(candidates, [](const Candidate& a, const Candidate& b) {

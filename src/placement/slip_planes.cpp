@@ -10,18 +10,15 @@ bool edgeOn(const Vec3& normal, const Vec3& viewDirection) {
   return std::abs(glm::dot(normal, viewDirection)) < std::sin(kEdgeOnAngleRad);
 }
 
-void addScopePlanes(const BaseLine& line, const Obb& scope, const Vec3& viewDirection, SlipPlanes& planes) {
-  for (std::size_t i = 0; i < 2; ++i) {
-    // The plane along one other axis lies in a face of the remaining one.
-    const Vec3& normalAxis = scope.axes[static_cast<std::size_t>(line.otherAxes[1 - i])];
-    if (edgeOn(normalAxis, viewDirection)) continue;
-    const int side = line.sides[1 - i];
-    const double towardsViewer = glm::dot(normalAxis, viewDirection) < 0 ? 1.0 : -1.0;
-    const Vec3 normal = normalAxis * (side != 0 ? static_cast<double>(side) : towardsViewer);
+void addScopePlanes(const BaseLine& line, const Vec3& viewDirection, SlipPlanes& planes) {
+  for (std::size_t i = 0; i < line.scopePlanes.size(); ++i) {
+    const ScopePlane& scopePlane = line.scopePlanes[i];
+    if (edgeOn(scopePlane.normal, viewDirection)) continue;
+    const bool facesAway = glm::dot(scopePlane.normal, viewDirection) > 0;
     planes.push_back({.kind = PlaneKind::kScope,
-                      .facing = glm::dot(normal, viewDirection) < 0 ? Facing::kFront : Facing::kBack,
-                      .plane = {line.segment.start, normal},
-                      .across = scope.axes[static_cast<std::size_t>(line.otherAxes[i])],
+                      .facing = facesAway && scopePlane.inFace ? Facing::kBack : Facing::kFront,
+                      .plane = {line.segment.start, facesAway && !scopePlane.inFace ? -scopePlane.normal : scopePlane.normal},
+                      .across = scopePlane.across,
                       .number = static_cast<int>(i)});
   }
 }
@@ -42,11 +39,14 @@ void addBillboardPlane(const BaseLine& line, const Vec3& viewDirection, SlipPlan
 
 }  // namespace
 
-SlipPlanes slipPlanes(const BaseLine& line, const Obb& scope, Slip slip, const View& view) {
+SlipPlanes slipPlanes(const BaseLine& line, Slip slip, const View& view) {
   SlipPlanes planes;
   const Vec3 viewDirection = view.directionTo(line.segment.middle());
-  if (slip == Slip::kScope) addScopePlanes(line, scope, viewDirection, planes);
-  if (slip == Slip::kBillboard) addBillboardPlane(line, viewDirection, planes);
+  if (slip == Slip::kScope && !line.scopePlanes.empty()) {
+    addScopePlanes(line, viewDirection, planes);
+  } else if (slip == Slip::kBillboard || slip == Slip::kScope) {
+    addBillboardPlane(line, viewDirection, planes);
+  }
   return planes;
 }
 

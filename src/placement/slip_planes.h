@@ -20,9 +20,10 @@ using SlipPlanes = FixedVector<SlipPlane, 2>;
 
 /// The planes of a base line (DESIGN.md section 4, "Planes").
 ///
-/// scope: two, through the line along each of the scope's two other axes. The normal is the outward normal of the face the plane lies in, and through
-/// the middle the one towards the viewer. billboard: one, holding the line, as square to the view as that allows. none: no plane.
-/// Planes within kEdgeOnAngleRad of edge-on are left out: there a small move on screen is a long way in the world.
-SlipPlanes slipPlanes(const BaseLine& line, const Obb& scope, Slip slip, const View& view);
+/// scope: those through the line along each of the scope's other axes. The normal is the outward normal of the face the plane lies in, and through the
+/// middle the one towards the viewer; the spherical types have none and take the billboard's. billboard: one, holding the line, as square to
+/// the view as that allows. none: no plane. Planes within kEdgeOnAngleRad of edge-on are left out: there a small move on screen is a long way
+/// in the world.
+SlipPlanes slipPlanes(const BaseLine& line, Slip slip, const View& view);
 
 }  // namespace dimline

@@ -1,5 +1,7 @@
 #include <catch2/catch.hpp>
 
+#include <cmath>
+
 #include "placement/base_lines.h"
 #include "placement/slip_planes.h"
 
@@ -31,10 +33,12 @@ View frontView(const Vec3& eye, const Vec3& target) {
   return {camera, 1000, 1000, bounds};
 }
 
+View anyView() { return frontView({30, 20, 40}, {0, 0, 0}); }
+
 }  // namespace
 
 TEST_CASE("linear-contour lies on the four edges along its axis") {
-  const BaseLines lines = baseLines(annotated(HandleType::kLinearContour, Orient::kUp), turnedBox());
+  const BaseLines lines = baseLines(annotated(HandleType::kLinearContour, Orient::kUp), turnedBox(), anyView());
   REQUIRE(lines.size() == 4);
   for (const BaseLine& line : lines) {
     CHECK(line.segment.end - line.segment.start == Vec3(0, 3, 0));
@@ -48,8 +52,8 @@ TEST_CASE("linear-contour lies on the four edges along its axis") {
 }
 
 TEST_CASE("an orientation against the axis turns the line round: its moving end is the other one") {
-  const BaseLines up = baseLines(annotated(HandleType::kLinearContour, Orient::kUp), turnedBox());
-  const BaseLines down = baseLines(annotated(HandleType::kLinearContour, Orient::kDown), turnedBox());
+  const BaseLines up = baseLines(annotated(HandleType::kLinearContour, Orient::kUp), turnedBox(), anyView());
+  const BaseLines down = baseLines(annotated(HandleType::kLinearContour, Orient::kDown), turnedBox(), anyView());
   REQUIRE(down.size() == 4);
   for (std::size_t i = 0; i < 4; ++i) {
     CHECK(down[i].segment.start == up[i].segment.end);
@@ -58,14 +62,14 @@ TEST_CASE("an orientation against the axis turns the line round: its moving end 
 }
 
 TEST_CASE("left and right run along the scope's x, front and back along its z") {
-  const BaseLines right = baseLines(annotated(HandleType::kLinearContour, Orient::kRight), turnedBox());
+  const BaseLines right = baseLines(annotated(HandleType::kLinearContour, Orient::kRight), turnedBox(), anyView());
   CHECK(right[0].segment.end - right[0].segment.start == Vec3(0, 0, -4));
-  const BaseLines back = baseLines(annotated(HandleType::kLinearContour, Orient::kBack), turnedBox());
+  const BaseLines back = baseLines(annotated(HandleType::kLinearContour, Orient::kBack), turnedBox(), anyView());
   CHECK(back[0].segment.end - back[0].segment.start == Vec3(-2, 0, 0));
 }
 
 TEST_CASE("linear-center is one line through the middle") {
-  const BaseLines lines = baseLines(annotated(HandleType::kLinearCenter, Orient::kRight), turnedBox());
+  const BaseLines lines = baseLines(annotated(HandleType::kLinearCenter, Orient::kRight), turnedBox(), anyView());
   REQUIRE(lines.size() == 1);
   CHECK(lines[0].segment.start == Vec3(11, 1.5, 5));
   CHECK(lines[0].segment.end == Vec3(11, 1.5, 1));
@@ -74,21 +78,87 @@ TEST_CASE("linear-center is one line through the middle") {
 TEST_CASE("translate moves base lines in sizes of the scope") {
   Annotation a = annotated(HandleType::kLinearCenter, Orient::kUp);
   a.translate = {0.5, 1.0, 0.0};
-  const BaseLines lines = baseLines(a, turnedBox());
+  const BaseLines lines = baseLines(a, turnedBox(), anyView());
   CHECK(lines[0].segment.start == Vec3(11, 3, 1));
 }
 
-TEST_CASE("meanLength is the mean over a scope's base lines") {
-  CHECK(meanLength(baseLines(annotated(HandleType::kLinearContour, Orient::kFront), turnedBox())) == Approx(2.0));
-  CHECK(meanLength(BaseLines{}) == 0.0);
+TEST_CASE("parameters are ordered by the mean world length of their base lines") {
+  CHECK(meanBaseLengthM(annotated(HandleType::kLinearContour, Orient::kFront), turnedBox()) == Approx(2.0));
+  CHECK(meanBaseLengthM(annotated(HandleType::kLinearCenter, Orient::kLeft), turnedBox()) == Approx(4.0));
+  CHECK(meanBaseLengthM(annotated(HandleType::kDiametric, Orient::kUp), turnedBox()) == Approx(3.0));
+  CHECK(meanBaseLengthM(annotated(HandleType::kRadial, Orient::kUp), turnedBox()) == Approx(1.5));
+  CHECK(meanBaseLengthM(annotated(HandleType::kSphericalDiametric, Orient::kHorizontal), turnedBox()) == Approx(2.0));
+  CHECK(meanBaseLengthM(annotated(HandleType::kSphericalRadial, Orient::kHorizontal), turnedBox()) == Approx(1.0));
+}
+
+TEST_CASE("diametric: a diameter on each face across the axis, at right angles to the view") {
+  const Obb box{.origin = {-1, 0, -2}, .size = {2, 3, 4}};
+  const View view = frontView({0, 1.5, 50}, {0, 1.5, 0});
+  const BaseLines lines = baseLines(annotated(HandleType::kDiametric, Orient::kUp), box, view);
+  REQUIRE(lines.size() == 2);
+  // The viewer looks along -z, so the diameters lie along x, where the ellipse's half axis is 1.
+  for (std::size_t i = 0; i < 2; ++i) {
+    const Segment& s = lines[i].segment;
+    CHECK(std::abs(s.end.x - s.start.x) == Approx(2.0));
+    CHECK(s.start.y == Approx(i == 0 ? 0.0 : 3.0));
+    CHECK(s.middle().x == Approx(0.0).margin(1e-12));
+    CHECK(s.middle().z == Approx(0.0).margin(1e-12));
+    REQUIRE(lines[i].scopePlanes.size() == 2);
+    CHECK(lines[i].scopePlanes[0].normal == Vec3(0, i == 0 ? -1 : 1, 0));
+    CHECK(lines[i].scopePlanes[1].across == Vec3(0, 1, 0));
+  }
+}
+
+TEST_CASE("the diameter ends on the ellipse whatever the view") {
+  const Obb box{.origin = {-1, 0, -2}, .size = {2, 3, 4}};
+  for (double angle = 0; angle < 6.28; angle += 0.37) {
+    const View view = frontView({40 * std::sin(angle), 10, 40 * std::cos(angle)}, {0, 1.5, 0});
+    for (const BaseLine& line : baseLines(annotated(HandleType::kDiametric, Orient::kUp), box, view)) {
+      const Vec3 end = line.segment.end;
+      CHECK(end.x * end.x / 1.0 + end.z * end.z / 4.0 == Approx(1.0));
+      const Vec3 sight = view.directionTo(line.segment.middle());
+      CHECK(glm::dot(line.segment.end - line.segment.start, Vec3(sight.x, 0, sight.z)) == Approx(0.0).margin(1e-9));
+    }
+  }
+}
+
+TEST_CASE("radial: four halves of the diameters, from the centre to the rim") {
+  const Obb box{.origin = {-1, 0, -1}, .size = {2, 3, 2}};
+  const BaseLines lines = baseLines(annotated(HandleType::kRadial, Orient::kUp), box, frontView({7, 9, 30}, {0, 1.5, 0}));
+  REQUIRE(lines.size() == 4);
+  for (const BaseLine& line : lines) {
+    CHECK(line.segment.start.x == Approx(0.0).margin(1e-12));
+    CHECK(line.segment.start.z == Approx(0.0).margin(1e-12));
+    CHECK(line.segment.length() == Approx(1.0));
+  }
+  CHECK(glm::length(lines[0].segment.end + lines[1].segment.end - 2.0 * lines[0].segment.start) < 1e-12);
+}
+
+TEST_CASE("the spherical types lie on the outline of the inscribed sphere, level or upright on screen") {
+  const Obb box{.origin = {-1, 0, -2}, .size = {2, 3, 4}};   // inscribed sphere: radius 1 around (0, 1.5, 0)
+  const View view = frontView({9, 12, 30}, {0, 1.5, 0});
+  const BaseLines level = baseLines(annotated(HandleType::kSphericalDiametric, Orient::kHorizontal), box, view);
+  REQUIRE(level.size() == 2);
+  CHECK(level[0].segment.length() == Approx(2.0));
+  CHECK(level[0].segment.start == level[1].segment.end);
+  CHECK(view.toScreen(level[0].segment).start.y == Approx(view.toScreen(level[0].segment).end.y));
+  CHECK(level[0].scopePlanes.empty());
+  CHECK(slipPlanes(level[0], Slip::kScope, view)[0].kind == PlaneKind::kBillboard);
+
+  const BaseLines upright = baseLines(annotated(HandleType::kSphericalRadial, Orient::kVertical), box, view);
+  REQUIRE(upright.size() == 4);
+  for (const BaseLine& line : upright) {
+    CHECK(line.segment.length() == Approx(1.0));
+    CHECK(view.toScreen(line.segment).start.x == Approx(view.toScreen(line.segment).end.x));
+  }
 }
 
 TEST_CASE("scope planes lie in the faces at the line's edge, with those faces' outward normals") {
   const Obb box{.origin = {-1, -1, -1}, .size = {2, 2, 2}};
   const View view = frontView({6, 5, 9}, {0, 0, 0});
-  const BaseLines lines = baseLines(annotated(HandleType::kLinearContour, Orient::kUp), box);
+  const BaseLines lines = baseLines(annotated(HandleType::kLinearContour, Orient::kUp), box, view);
   // Other axes of y: z, then x. Edge 3 is at z = +1, x = +1, the one nearest to this viewer: both its faces look at the viewer.
-  const SlipPlanes near = slipPlanes(lines[3], box, Slip::kScope, view);
+  const SlipPlanes near = slipPlanes(lines[3], Slip::kScope, view);
   REQUIRE(near.size() == 2);
   CHECK(near[0].across == Vec3(0, 0, 1));
   CHECK(near[0].plane.normal == Vec3(1, 0, 0));
@@ -97,15 +167,15 @@ TEST_CASE("scope planes lie in the faces at the line's edge, with those faces' o
   CHECK(near[1].plane.normal == Vec3(0, 0, 1));
   CHECK(near[1].facing == Facing::kFront);
   // Edge 0 is at z = -1, x = -1: both faces look away.
-  for (const SlipPlane& plane : slipPlanes(lines[0], box, Slip::kScope, view)) CHECK(plane.facing == Facing::kBack);
+  for (const SlipPlane& plane : slipPlanes(lines[0], Slip::kScope, view)) CHECK(plane.facing == Facing::kBack);
 }
 
 TEST_CASE("a scope plane through the middle looks towards the viewer") {
   const Obb box{.origin = {-1, -1, -1}, .size = {2, 2, 2}};
-  const BaseLines lines = baseLines(annotated(HandleType::kLinearCenter, Orient::kUp), box);
   for (const double side : {1.0, -1.0}) {
     const View view = frontView({6 * side, 5, 9 * side}, {0, 0, 0});
-    for (const SlipPlane& plane : slipPlanes(lines[0], box, Slip::kScope, view)) {
+    const BaseLines lines = baseLines(annotated(HandleType::kLinearCenter, Orient::kUp), box, view);
+    for (const SlipPlane& plane : slipPlanes(lines[0], Slip::kScope, view)) {
       CHECK(glm::dot(plane.plane.normal, view.camera().eye) > 0);
       CHECK(plane.facing == Facing::kFront);
     }
@@ -115,8 +185,8 @@ TEST_CASE("a scope plane through the middle looks towards the viewer") {
 TEST_CASE("planes seen edge-on are left out") {
   const Obb box{.origin = {-1, -1, -1}, .size = {2, 2, 2}};
   const View view = frontView({0, 0, 50}, {0, 0, 0});   // straight at the front: the side faces are edge-on
-  const BaseLines lines = baseLines(annotated(HandleType::kLinearContour, Orient::kUp), box);
-  const SlipPlanes planes = slipPlanes(lines[3], box, Slip::kScope, view);
+  const BaseLines lines = baseLines(annotated(HandleType::kLinearContour, Orient::kUp), box, view);
+  const SlipPlanes planes = slipPlanes(lines[3], Slip::kScope, view);
   REQUIRE(planes.size() == 1);
   CHECK(planes[0].plane.normal == Vec3(0, 0, 1));
 }
@@ -124,8 +194,8 @@ TEST_CASE("planes seen edge-on are left out") {
 TEST_CASE("a billboard plane holds the line and is as square to the view as that allows") {
   const Obb box{.origin = {-1, -1, -1}, .size = {2, 2, 2}};
   const View view = frontView({6, 5, 9}, {0, 0, 0});
-  const BaseLines lines = baseLines(annotated(HandleType::kLinearCenter, Orient::kUp), box);
-  const SlipPlanes planes = slipPlanes(lines[0], box, Slip::kBillboard, view);
+  const BaseLines lines = baseLines(annotated(HandleType::kLinearCenter, Orient::kUp), box, view);
+  const SlipPlanes planes = slipPlanes(lines[0], Slip::kBillboard, view);
   REQUIRE(planes.size() == 1);
   CHECK(glm::dot(planes[0].plane.normal, Vec3(0, 1, 0)) == Approx(0.0).margin(1e-12));
   CHECK(glm::dot(planes[0].across, Vec3(0, 1, 0)) == Approx(0.0).margin(1e-12));
@@ -137,6 +207,7 @@ TEST_CASE("a billboard plane holds the line and is as square to the view as that
 
 TEST_CASE("slip none has no plane") {
   const Obb box{.origin = {-1, -1, -1}, .size = {2, 2, 2}};
-  const BaseLines lines = baseLines(annotated(HandleType::kLinearCenter, Orient::kUp), box);
-  CHECK(slipPlanes(lines[0], box, Slip::kNone, frontView({6, 5, 9}, {0, 0, 0})).empty());
+  const View view = frontView({6, 5, 9}, {0, 0, 0});
+  const BaseLines lines = baseLines(annotated(HandleType::kLinearCenter, Orient::kUp), box, view);
+  CHECK(slipPlanes(lines[0], Slip::kNone, view).empty());
 }
