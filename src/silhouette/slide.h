@@ -23,7 +23,10 @@ class Slide {
   [[nodiscard]] const Vec3& across() const { return across_; }
   [[nodiscard]] const Vec3& uForm() const { return uForm_; }
   [[nodiscard]] const Vec3& tForm() const { return tForm_; }
+  /// The forms are scaled so that wForm . q >= 1 on the base line: it is the depth of the base line's farther end over the depth at q.
   [[nodiscard]] const Vec3& wForm() const { return wForm_; }
+  /// The way (px per m) in which the base line's middle sets off on screen as t grows.
+  [[nodiscard]] const Vec2& setOffPx() const { return setOffPx_; }
 
   /// The line at offset t (m), in the world.
   [[nodiscard]] Segment at(double tM) const { return {base_.start + across_ * tM, base_.end + across_ * tM}; }
@@ -32,13 +35,15 @@ class Slide {
   Segment base_;
   Vec3 across_{0.0};
   Vec3 uForm_{0.0}, tForm_{0.0}, wForm_{0.0};
+  Vec2 setOffPx_{0.0};
 };
 
 /// The least offset t >= 0 (m) from which on the slid line lies between one viewport edge and that edge's field all along: the greatest t(q)
 /// over what the field blocks inside the wedge between the two extension lines (0 when it blocks nothing there). Infinite when
-/// the field gives no place: it touches its viewport edge inside the wedge, or blocks the plane as far as its horizon.
-/// Bounds t on the boxes of the min/max tree and descends only where more can be found. `atLeastM`: the caller has no use for offsets
-/// above this and any greater value, infinity included, may be returned in place of the true one.
+/// the field gives no place: a strip of value <= 0 meets its viewport edge inside the wedge, or the plane is blocked as far as its horizon.
+/// Bounds t on the boxes of the min/max tree and descends only where more can be found. `uselessAboveM`: the caller has no use for offsets
+/// above this; where the true one is greater, any value greater than this, infinity included, may be returned in its place.
+/// Allocates nothing. The field's tree must be up to date.
 double leastClearingOffset(const DistanceField& field, ViewportEdge edge, const DistanceFields& fields, const Slide& slide,
                            double uselessAboveM = std::numeric_limits<double>::infinity());
 
