@@ -139,7 +139,9 @@ def node_major(program: str) -> int:
 
 
 def own_node() -> Path:
-    return ROOT / "tools/node/node_modules/.bin/node"
+    """The node of tools/node. Not by .bin/node: npm 9 removes that link with the package for another processor."""
+    processor = {"x86_64": "x64", "aarch64": "arm64"}.get(platform.machine(), platform.machine())
+    return ROOT / f"tools/node/node_modules/node-linux-{processor}/bin/node"
 
 
 def node() -> str:
