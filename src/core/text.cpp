@@ -111,7 +111,7 @@ std::string formatFixed(double value, int decimals) {
   return text;
 }
 
-std::string quoted(std::string_view text) {
+std::string inQuotes(std::string_view text) {
   std::string result = "\"";
   std::size_t characters = 0;
   while (!text.empty()) {

@@ -23,7 +23,7 @@ std::string formatFixed(double value, int decimals);
 
 /// The text in double quotes, fit for a message: valid UTF-8, control characters and broken bytes replaced, cut after
 /// 40 characters.
-std::string quoted(std::string_view text);
+std::string inQuotes(std::string_view text);
 
 /// "a, b and c"; empty for none.
 std::string joined(std::span<const std::string_view> words, std::string_view lastJoint = "and");

@@ -160,7 +160,7 @@ public:
       const auto property = find(kPropertyWords, entry.name);
       if (!property) {
         warn(entry.namePlace,
-             quoted(entry.name) + " is no property and is left out; there are " + joinedProperties() + ".");
+             inQuotes(entry.name) + " is no property and is left out; there are " + joinedProperties() + ".");
         continue;
       }
       if (isRepeated(*property)) {
@@ -212,7 +212,7 @@ private:
       if (const std::size_t caret = scope.find('^'); caret != std::string_view::npos) {
         const std::string_view count = scope.substr(caret + 1);
         if (count.empty() || count.find_first_not_of("0123456789") != std::string_view::npos) {
-          return Error{messageStart(entry.valuePlace) + "after the ^ of " + quoted(scope) +
+          return Error{messageStart(entry.valuePlace) + "after the ^ of " + inQuotes(scope) +
                        " a whole number is expected."};
         }
         scope = scope.substr(0, caret);
@@ -288,7 +288,7 @@ private:
       warn(entry.namePlace, name + " has no value and is left out; it takes " + wanted + ".");
     } else {
       const std::string shown =
-          entry.kind == Kind::kBraces ? quoted("{" + std::string(entry.value) + "}") : quoted(entry.value);
+          entry.kind == Kind::kBraces ? inQuotes("{" + std::string(entry.value) + "}") : inQuotes(entry.value);
       warn(entry.valuePlace, name + " cannot be " + shown + " and is left out; it takes " + wanted + ".");
     }
   }

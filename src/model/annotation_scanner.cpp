@@ -19,7 +19,7 @@ public:
     const std::string_view word = readWord();
     if (!equalIgnoringCase(word, "Handle")) {
       return Error{messageStart(start) + "the annotation must be @Handle(\xE2\x80\xA6), not " +
-                   quoted("@" + std::string(word)) + "."};
+                   inQuotes("@" + std::string(word)) + "."};
     }
     skipSpace();
     if (!take('(')) return unexpected("after @Handle a ( must follow");
@@ -31,7 +31,7 @@ public:
       entries.push_back(*entry);
       skipSpace();
       // A comma after the last entry is common where each stands on a line of its own.
-      if (!take(',') && peek() != ')') return unexpected("after " + quoted(entry->name) + " a , or ) must follow");
+      if (!take(',') && peek() != ')') return unexpected("after " + inQuotes(entry->name) + " a , or ) must follow");
     }
     skipSpace();
     if (!atEnd()) return unexpected("nothing may follow the closing )");
@@ -81,7 +81,7 @@ private:
       std::size_t length = 1;
       while (next_ + length < text_.size() && (static_cast<unsigned char>(text_[next_ + length]) & 0xC0U) == 0x80)
         ++length;
-      found = "here is " + quoted(text_.substr(next_, length));
+      found = "here is " + inQuotes(text_.substr(next_, length));
     }
     return Error{messageStart(place_) + wanted + ", but " + found + "."};
   }
@@ -108,7 +108,7 @@ private:
     } else {
       entry.kind = AnnotationEntry::Kind::kWord;
       entry.value = readWord();
-      if (entry.value.empty()) return unexpected("after the = of " + quoted(entry.name) + " a value is expected");
+      if (entry.value.empty()) return unexpected("after the = of " + inQuotes(entry.name) + " a value is expected");
     }
     return entry;
   }

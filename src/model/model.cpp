@@ -41,7 +41,7 @@ Status checkChoices(const Parameter& parameter) {
     if (trim(choices[i]).empty()) return Error{parameter.name + " has a choice without a name."};
     if (std::find(choices.begin(), choices.begin() + static_cast<std::ptrdiff_t>(i), choices[i]) !=
         choices.begin() + static_cast<std::ptrdiff_t>(i)) {
-      return Error{parameter.name + " has two choices named " + quoted(choices[i]) + "."};
+      return Error{parameter.name + " has two choices named " + inQuotes(choices[i]) + "."};
     }
   }
   return okStatus();
@@ -84,18 +84,18 @@ std::string_view mismatch(const Parameter& parameter, const Annotation& annotati
 
 Result<Model> makeModel(ModelDefinition definition) {
   if (trim(definition.name).empty()) return Error{"A model needs a name."};
-  if (!definition.build) return Error{"The model " + quoted(definition.name) + " has no rule that builds it."};
+  if (!definition.build) return Error{"The model " + inQuotes(definition.name) + " has no rule that builds it."};
 
   Model model;
   auto& parameters = definition.parameters;
   for (std::size_t i = 0; i < parameters.size(); ++i) {
     Parameter& parameter = parameters[i];
     const auto inModel = [&](const Error& error) {
-      return Error{"In the model " + quoted(definition.name) + ": " + error.message};
+      return Error{"In the model " + inQuotes(definition.name) + ": " + error.message};
     };
     if (trim(parameter.name).empty()) return inModel(Error{"parameter " + std::to_string(i + 1) + " has no name."});
     if (*findParameter(parameters, parameter.name) != i) {
-      return inModel(Error{"two parameters are named " + quoted(parameter.name) + "."});
+      return inModel(Error{"two parameters are named " + inQuotes(parameter.name) + "."});
     }
     if (parameter.type == ParameterType::kChoice) {
       if (Status status = checkChoices(parameter); !status) return inModel(status.error());

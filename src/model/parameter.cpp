@@ -90,7 +90,7 @@ Result<double> parseBool(const Parameter& parameter, std::string_view text) {
   for (const std::string_view no : {"false", "off", "no", "0"}) {
     if (equalIgnoringCase(text, no)) return 0.0;
   }
-  return Error{parameter.name + " is a switch: it takes true or false, not " + quoted(text) + "."};
+  return Error{parameter.name + " is a switch: it takes true or false, not " + inQuotes(text) + "."};
 }
 
 Result<double> parseChoice(const Parameter& parameter, std::string_view text) {
@@ -102,22 +102,22 @@ Result<double> parseChoice(const Parameter& parameter, std::string_view text) {
   }
   if (found != choices.end()) return static_cast<double>(found - choices.begin());
   const std::vector<std::string_view> names(choices.begin(), choices.end());
-  return Error{parameter.name + " takes " + joined(names, "or") + ", not " + quoted(text) + "."};
+  return Error{parameter.name + " takes " + joined(names, "or") + ", not " + inQuotes(text) + "."};
 }
 
 Result<double> parseNumber(const Parameter& parameter, std::string_view text) {
   const std::optional<double> value = parseDouble(withoutUnit(text, parameter.unit));
   if (!value)
     return Error{parameter.name + " takes a number, such as " + formatValue(parameter, parameter.defaultValue) +
-                 ", not " + quoted(text) + "."};
+                 ", not " + inQuotes(text) + "."};
   if (parameter.type == ParameterType::kInt && *value != std::round(*value)) {
-    return Error{parameter.name + " takes a whole number, not " + quoted(text) + "."};
+    return Error{parameter.name + " takes a whole number, not " + inQuotes(text) + "."};
   }
   const Range range = rangeOf(parameter);
   const double tolerance = kRangeTolerance * (range.max - range.min);
   if (*value < range.min - tolerance || *value > range.max + tolerance) {
     return Error{parameter.name + " must lie between " + formatValue(parameter, range.min) + " and " +
-                 formatValue(parameter, range.max) + ", so it cannot be " + quoted(text) + "."};
+                 formatValue(parameter, range.max) + ", so it cannot be " + inQuotes(text) + "."};
   }
   return std::clamp(*value, range.min, range.max);
 }
