@@ -1,0 +1,29 @@
+#pragma once
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec4.hpp>
+
+#include "math/camera.h"
+
+namespace dimline {
+
+/// What every shader of the picture knows of a frame: the uniform block of shaders/frame.glsl (std140, same order).
+struct FrameBlock {
+  glm::mat4 worldToClip{1.0F};
+  glm::mat4 worldToShadow{1.0F};     ///< to the unit cube that the shadow map covers
+  glm::vec4 eye{0.0F};               ///< position and 1; orthographic: the direction to the viewer and 0
+  glm::vec4 sun{0.0F};               ///< unit direction to the sun; size of a shadow map texel (m)
+  glm::vec4 viewport{1.0F};          ///< width and height in device px; device px per CSS px; 0
+  glm::vec4 ground{0.0F};            ///< middle (x, z), height, and the radius (m) at which the ground has faded away
+  glm::vec4 groundFade{0.0F};        ///< opacity of the ground as a whole
+  glm::vec4 backgroundTop{1.0F};     ///< sRGB
+  glm::vec4 backgroundBottom{1.0F};
+};
+
+/// Binding point of the block, in every program that has it.
+inline constexpr unsigned kFrameBlockBinding = 0;
+
+/// Towards the viewer, as FrameBlock::eye has it.
+glm::vec4 eyeOf(const View& view);
+
+}  // namespace dimline

@@ -1,0 +1,72 @@
+#include "render/picture_target.h"
+
+#include <algorithm>
+#include <array>
+
+namespace dimline {
+
+Status PictureTarget::resize(int width, int height, int samples) {
+  samples = std::min(samples, context_->maxSamples());
+  if (width == width_ && height == height_ && samples == samples_) return okStatus();
+  width_ = height_ = samples_ = 0;   // until all of it is there
+  const bool multisampled = samples > 1;
+  finished_.reset();
+  samplesColor_.reset();
+  color_ = makeTexture2D(*context_, GL_RGBA8, width, height, Sampling::kLinear);
+  depth_ = Renderbuffer(*context_);
+  glBindRenderbuffer(GL_RENDERBUFFER, depth_.id());
+  if (multisampled) {
+    glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples, GL_DEPTH_COMPONENT24, width, height);
+    samplesColor_ = Renderbuffer(*context_);
+    glBindRenderbuffer(GL_RENDERBUFFER, samplesColor_.id());
+    glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples, GL_RGBA8, width, height);
+    Result<Framebuffer> finished = makeFramebuffer(*context_, "finished picture", color_.id(), 0);
+    if (!finished) return finished.error();
+    finished_ = std::move(finished).value();
+  } else {
+    glRenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT24, width, height);
+  }
+  drawn_ = Framebuffer(*context_);
+  glBindFramebuffer(GL_FRAMEBUFFER, drawn_.id());
+  if (multisampled) {
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, samplesColor_.id());
+  } else {
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, color_.id(), 0);
+  }
+  glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth_.id());
+  if (Status status = checkFramebuffer("picture"); !status) return status;
+  width_ = width;
+  height_ = height;
+  samples_ = samples;
+  return okStatus();
+}
+
+void PictureTarget::bind() const {
+  glBindFramebuffer(GL_FRAMEBUFFER, drawn_.id());
+  glViewport(0, 0, width_, height_);
+}
+
+void PictureTarget::resolve() const {
+  // Nobody will look at the depth again; tile-based GPUs then need not write it out.
+  const std::array<GLenum, 1> depth{GL_DEPTH_ATTACHMENT};
+  glBindFramebuffer(GL_FRAMEBUFFER, drawn_.id());
+  if (finished_) {
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, drawn_.id());
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, finished_.id());
+    glBlitFramebuffer(0, 0, width_, height_, 0, 0, width_, height_, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    const std::array<GLenum, 2> all{GL_COLOR_ATTACHMENT0, GL_DEPTH_ATTACHMENT};
+    glInvalidateFramebuffer(GL_READ_FRAMEBUFFER, all.size(), all.data());
+    return;
+  }
+  glInvalidateFramebuffer(GL_FRAMEBUFFER, depth.size(), depth.data());
+}
+
+void PictureTarget::show(GLuint framebuffer, int width, int height) const {
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, finished_ ? finished_.id() : drawn_.id());
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);
+  const bool same = width == width_ && height == height_;
+  glBlitFramebuffer(0, 0, width_, height_, 0, 0, width, height, GL_COLOR_BUFFER_BIT, same ? GL_NEAREST : GL_LINEAR);
+  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+}
+
+}  // namespace dimline

@@ -1,0 +1,50 @@
+#include "render/renderer.h"
+
+#include <utility>
+
+namespace dimline {
+
+Result<std::unique_ptr<Renderer>> Renderer::make() {
+  auto context = std::make_unique<GlContext>();
+  Result<GpuFields> fields = GpuFields::make(*context);
+  if (!fields) return fields.error();
+  std::unique_ptr<Renderer> renderer(new Renderer(std::move(context), std::move(fields).value()));
+  if (Status status = renderer->sceneRenderer_.prepare(); !status) return status.error();
+  if (Status status = renderer->overlayRenderer_.prepare(); !status) return status.error();
+  return renderer;
+}
+
+Renderer::Renderer(std::unique_ptr<GlContext> context, GpuFields fields)
+    : context_(std::move(context)),
+      scene_(*context_),
+      fields_(std::move(fields)),
+      sceneRenderer_(*context_),
+      overlayRenderer_(*context_),
+      target_(*context_) {}
+
+Status Renderer::setScene(const Scene& scene) {
+  shown_.reset();
+  scene_.upload(scene);
+  return sceneRenderer_.sceneChanged(scene_);
+}
+
+Status Renderer::draw(const View& view, std::span<const OverlayLine> lines, const RenderOptions& options) {
+  if (options.widthPx < 1 || options.heightPx < 1) return okStatus();
+  const Shown wanted{glm::mat4(view.viewProjection()), options.widthPx, options.heightPx, options.devicePixelRatio,
+                     options.quality, options.ground, options.theme};
+  if (shown_ != wanted) {
+    shown_.reset();
+    const int samples = options.quality == RenderQuality::kFull ? 4 : 1;
+    if (Status status = target_.resize(options.widthPx, options.heightPx, samples); !status) return status;
+    sceneRenderer_.draw(scene_, view, options.theme, options.quality, options.ground, target_, options.devicePixelRatio);
+    target_.resolve();
+    shown_ = wanted;
+  }
+  target_.show(options.framebuffer, options.widthPx, options.heightPx);
+  glViewport(0, 0, options.widthPx, options.heightPx);
+  buildOverlay(lines, options.theme, shapes_);
+  overlayRenderer_.draw(shapes_, view.widthPx(), view.heightPx(), options.devicePixelRatio);
+  return okStatus();
+}
+
+}  // namespace dimline

@@ -1,0 +1,79 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/result.h"
+#include "gpu/gpu_fields.h"
+#include "gpu/gpu_scene.h"
+#include "math/camera.h"
+#include "render/overlay.h"
+#include "render/overlay_renderer.h"
+#include "render/scene_renderer.h"
+
+namespace dimline {
+
+/// What a frame is drawn into, and how.
+struct RenderOptions {
+  GLuint framebuffer = 0;            ///< what to draw into; 0 is the canvas. Needs colour only; it may have alpha or not, but no samples
+  int widthPx = 1, heightPx = 1;     ///< its size in device pixels
+  double devicePixelRatio = 1.0;     ///< device pixels per CSS pixel; the view's size is in CSS pixels
+  RenderQuality quality = RenderQuality::kFull;
+  bool ground = true;
+  Theme theme;
+};
+
+/// Everything that is drawn with GL in one context, and the fields that GL measures. Needs its context current whenever it is called,
+/// abandon() excepted.
+///
+/// A frame is drawn on demand. When nothing but the lines changed since the last one, the picture under them is used again.
+class Renderer {
+ public:
+  /// An error that a person can read when the driver lacks something.
+  static Result<std::unique_ptr<Renderer>> make();
+  Renderer(const Renderer&) = delete;
+  Renderer& operator=(const Renderer&) = delete;
+  ~Renderer() = default;
+
+  /// Replaces the model.
+  Status setScene(const Scene& scene);
+
+  /// Draws a frame: the model as `view` sees it, and the lines over it. Fills all of the framebuffer with opaque pixels. A size below one pixel draws nothing.
+  Status draw(const View& view, std::span<const OverlayLine> lines, const RenderOptions& options);
+
+  /// Fields of the model, measured in this context. `requestFields` and the calls of `fields()` are as GpuFields describes them.
+  std::uint64_t requestFields(const View& view, double devicePixelRatio) { return fields_.request(scene_, view, devicePixelRatio); }
+  [[nodiscard]] GpuFields& fields() { return fields_; }
+
+  [[nodiscard]] const GlContext& context() const { return *context_; }
+
+  /// The context is lost: no GL call is made from here on. Destroy the renderer; make another when there is a context again, and give it the scene.
+  void abandon() { context_->markLost(); }
+
+ private:
+  Renderer(std::unique_ptr<GlContext> context, GpuFields fields);
+
+  /// What the finished picture shows.
+  struct Shown {
+    glm::mat4 viewProjection{1.0F};
+    int widthPx = 0, heightPx = 0;
+    double devicePixelRatio = 0;
+    RenderQuality quality = RenderQuality::kFull;
+    bool ground = true;
+    Theme theme;
+    bool operator==(const Shown&) const = default;
+  };
+
+  std::unique_ptr<GlContext> context_;   // first: outlives everything made with it
+  GpuScene scene_;
+  GpuFields fields_;
+  SceneRenderer sceneRenderer_;
+  OverlayRenderer overlayRenderer_;
+  PictureTarget target_;
+  std::optional<Shown> shown_;
+  std::vector<OverlayShape> shapes_;
+};
+
+}  // namespace dimline

@@ -1,0 +1,144 @@
+#include "render/scene_renderer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "shaders.h"
+
+namespace dimline {
+
+namespace {
+
+/// Direction to the sun: from the front left, so that the opening view (from the front right) has a sunlit front and a side in shade.
+constexpr double kSunAzimuthRad = -0.72;   // from the front (+z) towards the right (+x)
+constexpr double kSunElevationRad = 0.78;
+
+/// The ground has faded away at this many diagonals of the model from its middle.
+constexpr double kGroundRadius = 2.2;
+
+/// Texture units.
+enum Unit : int { kUnitMaterials = 0, kUnitShadow = 1, kUnitImage = 2 };
+
+Vec3 towardsSun() {
+  return {std::sin(kSunAzimuthRad) * std::cos(kSunElevationRad), std::sin(kSunElevationRad),
+          std::cos(kSunAzimuthRad) * std::cos(kSunElevationRad)};
+}
+
+}  // namespace
+
+glm::vec4 eyeOf(const View& view) {
+  return view.orthographic() ? glm::vec4(glm::vec3(-view.forward()), 0.0F) : glm::vec4(glm::vec3(view.camera().eye), 1.0F);
+}
+
+SceneRenderer::SceneRenderer(const GlContext& context)
+    : context_(&context),
+      frameBuffer_(context),
+      noVertices_(context),
+      shadow_(context),
+      background_(context, {.label = "background", .vertex = {shaders::fullscreen_vert}, .fragment = {shaders::frame_glsl, shaders::background_frag}}),
+      groundProgram_(context, {.label = "ground",
+                               .vertex = {shaders::frame_glsl, shaders::ground_vert},
+                               .fragment = {shaders::frame_glsl, shaders::light_glsl, shaders::ground_frag}}) {}
+
+Status SceneRenderer::prepare() {
+  for (Program* program : {&background_, &groundProgram_}) {
+    if (Status status = program->status(); !status) return status;
+    program->bindBlock("Frame", kFrameBlockBinding);
+  }
+  groundProgram_.bindSampler("shadowMap", kUnitShadow);
+  return shadow_.prepare();
+}
+
+Status SceneRenderer::sceneChanged(const GpuScene& scene) {
+  const auto surfaceOf = [&](const GpuScene::Group& group) -> SurfaceProgram& {
+    return surfaces_[static_cast<std::size_t>(group.pattern)][group.image >= 0 ? 1 : 0];
+  };
+  for (const GpuScene::Group& group : scene.groups()) {
+    SurfaceProgram& surface = surfaceOf(group);
+    if (surface.program) continue;
+    const std::string defines = "#define PATTERN " + std::to_string(static_cast<int>(group.pattern)) + "\n" +
+                                (group.image >= 0 ? "#define HAS_IMAGE 1\n" : "");
+    surface.program = Program(*context_, {.label = "surfaces",
+                                          .vertex = {shaders::instance_glsl, shaders::frame_glsl, shaders::surface_vert},
+                                          .fragment = {shaders::frame_glsl, shaders::light_glsl, shaders::surface_frag},
+                                          .defines = defines});
+  }
+  for (const GpuScene::Group& group : scene.groups()) {
+    SurfaceProgram& surface = surfaceOf(group);
+    if (surface.ready) continue;
+    if (Status status = surface.program.status(); !status) return status;
+    surface.program.bindBlock("Frame", kFrameBlockBinding);
+    surface.program.bindSampler("materials", kUnitMaterials);
+    surface.program.bindSampler("shadowMap", kUnitShadow);
+    surface.program.bindSampler("image", kUnitImage);
+    surface.ready = true;
+  }
+  shadow_.render(scene, towardsSun());
+  return okStatus();
+}
+
+void SceneRenderer::fillFrameBlock(const GpuScene& scene, const View& view, const Theme& theme, bool ground, const PictureTarget& target,
+                                   double devicePixelRatio) {
+  frame_.worldToClip = glm::mat4(view.viewProjection());
+  frame_.worldToShadow = shadow_.worldToShadow();
+  frame_.eye = eyeOf(view);
+  frame_.sun = glm::vec4(glm::vec3(towardsSun()), shadow_.texelM());
+  frame_.viewport = {target.width(), target.height(), devicePixelRatio, 0};
+  const Bounds& bounds = scene.bounds();
+  const Vec3 center = bounds.empty() ? Vec3(0.0) : bounds.center();
+  const double height = bounds.empty() ? 0.0 : bounds.min.y;
+  frame_.ground = {center.x, center.z, height, std::max(bounds.diagonal(), 1e-3) * kGroundRadius};
+  // Seen from under it the ground would hide the model: it fades away before the eye gets there.
+  const Vec3 toViewer = -view.directionTo({center.x, height, center.z});
+  const double opacity = ground && !bounds.empty() ? std::clamp((toViewer.y - 0.005) / 0.06, 0.0, 1.0) : 0.0;
+  frame_.groundFade = glm::vec4(static_cast<float>(opacity));
+  frame_.backgroundTop = theme.backgroundTop;
+  frame_.backgroundBottom = theme.backgroundBottom;
+  glBindBuffer(GL_UNIFORM_BUFFER, frameBuffer_.id());
+  glBufferData(GL_UNIFORM_BUFFER, sizeof(frame_), &frame_, GL_STREAM_DRAW);
+  glBindBufferBase(GL_UNIFORM_BUFFER, kFrameBlockBinding, frameBuffer_.id());
+}
+
+void SceneRenderer::draw(const GpuScene& scene, const View& view, const Theme& theme, RenderQuality quality, bool ground,
+                         const PictureTarget& target, double devicePixelRatio) {
+  static_cast<void>(quality);
+  fillFrameBlock(scene, view, theme, ground, target, devicePixelRatio);
+  target.bind();
+  glDisable(GL_BLEND);
+  glDisable(GL_CULL_FACE);
+  glDisable(GL_SCISSOR_TEST);
+  glDepthMask(GL_TRUE);
+  glClear(GL_DEPTH_BUFFER_BIT);
+  const auto bind = [](Unit unit, GLuint texture) {
+    glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
+    glBindTexture(GL_TEXTURE_2D, texture);
+  };
+  bind(kUnitMaterials, scene.materialTexture());
+  bind(kUnitShadow, shadow_.texture());
+
+  glDisable(GL_DEPTH_TEST);
+  glBindVertexArray(noVertices_.id());
+  background_.use();
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+  if (frame_.groundFade.x > 0.0F) {
+    glEnable(GL_BLEND);
+    glBlendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    groundProgram_.use();
+    glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+    glDisable(GL_BLEND);
+  }
+
+  glEnable(GL_DEPTH_TEST);
+  glDepthFunc(GL_LEQUAL);
+  for (std::size_t i = 0; i < scene.groups().size(); ++i) {
+    const GpuScene::Group& group = scene.groups()[i];
+    if (group.image >= 0) bind(kUnitImage, scene.imageTexture(group.image));
+    surfaces_[static_cast<std::size_t>(group.pattern)][group.image >= 0 ? 1 : 0].program.use();
+    scene.drawGroup(i);
+  }
+  glDisable(GL_DEPTH_TEST);
+  glActiveTexture(GL_TEXTURE0);
+}
+
+}  // namespace dimline

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "core/result.h"
+#include "gpu/gpu_scene.h"
+#include "gpu/program.h"
+#include "math/camera.h"
+#include "render/frame_block.h"
+#include "render/picture_target.h"
+#include "render/sun_shadow.h"
+#include "render/theme.h"
+
+namespace dimline {
+
+/// How much a picture may cost. The host measures and decides.
+enum class RenderQuality : std::uint8_t {
+  kFull,     ///< multisampled, wide shadow filter
+  kReduced   ///< for software rasterizers and weak machines while something moves
+};
+
+/// Draws a scene in sun and sky light on a calm ground, into a PictureTarget.
+class SceneRenderer {
+ public:
+  explicit SceneRenderer(const GlContext& context);
+  Status prepare();
+
+  /// The scene has changed: shadows are drawn anew, shaders for new materials are compiled.
+  Status sceneChanged(const GpuScene& scene);
+
+  /// Fills the bound target. `devicePixelRatio`: of the target.
+  void draw(const GpuScene& scene, const View& view, const Theme& theme, RenderQuality quality, bool ground, const PictureTarget& target,
+            double devicePixelRatio);
+
+ private:
+  struct SurfaceProgram {
+    Program program;
+    bool ready = false;
+  };
+  void fillFrameBlock(const GpuScene& scene, const View& view, const Theme& theme, bool ground, const PictureTarget& target,
+                      double devicePixelRatio);
+
+  static constexpr std::size_t kPatterns = 11;
+
+  const GlContext* context_;
+  FrameBlock frame_;
+  Buffer frameBuffer_;
+  VertexArray noVertices_;
+  SunShadow shadow_;
+  Program background_, groundProgram_;
+  std::array<std::array<SurfaceProgram, 2>, kPatterns> surfaces_;   ///< by pattern, without and with an image
+};
+
+}  // namespace dimline
