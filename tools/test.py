@@ -36,7 +36,7 @@ ROOT = Path(__file__).resolve().parent.parent
 GL_FOLDERS = ("gpu", "render")
 EXECUTABLE_LIMIT_S = 900
 SCRIPT_LIMIT_S = 600
-OUTPUT_LINES = 120  # of a failure that are shown
+HEAD_LINES, TAIL_LINES = 60, 60  # of a failure's output that are shown
 
 
 @dataclass
@@ -58,8 +58,9 @@ def describe(result: Result) -> str:
     text += f"  {result.seconds:.1f} s"
     if result.failed:
         lines = result.output.strip().splitlines()
-        if len(lines) > OUTPUT_LINES:
-            lines = [f"({len(lines) - OUTPUT_LINES} lines left out)"] + lines[-OUTPUT_LINES:]
+        left_out = len(lines) - HEAD_LINES - TAIL_LINES
+        if left_out > 0:
+            lines[HEAD_LINES:-TAIL_LINES] = [f"({left_out} lines left out)"]
         text += "".join("\n    | " + line for line in lines)
     return text
 
@@ -298,14 +299,14 @@ def main() -> int:
         results.append(failure("setup", str(error)))
         print(f"== setup\n{describe(results[-1])}\n", flush=True)
 
+    failures = []
     for name, part in PARTS.items():
         if name in options.only:
-            results += run_part(name, part, options.match)
+            of_part = run_part(name, part, options.match)
+            failures += [f"FAILED in {name}: {result.name} ({result.failed})" for result in of_part if result.failed]
+            results += of_part
 
-    print(f"in {time.monotonic() - start:.0f} s")
-    for result in results:
-        if result.failed:
-            print(f"FAILED: {result.name} ({result.failed})")
+    print(f"in {time.monotonic() - start:.0f} s", *failures, sep="\n")
     passed, failed = totals(results)
     print(f"{passed} passed, {failed} failed", flush=True)
     return 1 if failed or not passed else 0

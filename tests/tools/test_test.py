@@ -120,6 +120,13 @@ class Runs(unittest.TestCase):
         self.assertNotIn("noise", test.describe(test.Result("a", passed=1, output="noise")))
         self.assertIn("    | reason", test.describe(test.failure("a", "reason")))
 
+    def test_of_a_long_output_the_ends_are_shown(self):
+        text = test.describe(test.failure("a", "\n".join(f"line {i}" for i in range(1, 1001))))
+        self.assertIn("| line 1\n", text)
+        self.assertTrue(text.endswith("| line 1000"))
+        self.assertIn("(880 lines left out)", text)
+        self.assertEqual(len(text.splitlines()), 1 + 60 + 1 + 60)
+
     def test_last_line_and_exit_status(self):
         run = subprocess.run([sys.executable, str(ROOT / "tools/test.py"), "--only", "node", "-k", "no such test"],
                              capture_output=True, text=True, timeout=300,
