@@ -1,16 +1,19 @@
-#include "gpu/scenes.h"
+#pragma once
 
 #include <cmath>
 
 #include <glm/ext/matrix_transform.hpp>
 #include <glm/geometric.hpp>
 
+#include "model/scene.h"
+
+/// A scene with some of everything that drawing depends on, made by hand.
 namespace dimline::test {
 
-namespace {
+namespace village {
 
 /// A flat convex face over points of the mesh, counter-clockwise seen from outside.
-void addFace(Mesh& mesh, std::initializer_list<std::uint32_t> ring, std::uint16_t material) {
+inline void addFace(Mesh& mesh, std::initializer_list<std::uint32_t> ring, std::uint16_t material) {
   const std::vector<std::uint32_t> points(ring);
   const auto at = [&](std::size_t i) { return mesh.positions[points[i]]; };
   const glm::vec3 n = glm::normalize(glm::cross(at(1) - at(0), at(2) - at(0)));
@@ -21,7 +24,7 @@ void addFace(Mesh& mesh, std::initializer_list<std::uint32_t> ring, std::uint16_
   }
 }
 
-void addPrism(Mesh& mesh, std::uint16_t material, float x0, float x1, float z0, float z1, float eave, float ridge) {
+inline void addPrism(Mesh& mesh, std::uint16_t material, float x0, float x1, float z0, float z1, float eave, float ridge) {
   const auto base = static_cast<std::uint32_t>(mesh.positions.size());
   const float middle = (z0 + z1) * 0.5F;
   for (const float x : {x0, x1}) {
@@ -35,7 +38,7 @@ void addPrism(Mesh& mesh, std::uint16_t material, float x0, float x1, float z0, 
   addFace(mesh, {p(0), p(3), p(4), p(1)}, material);
 }
 
-void addCylinder(Mesh& mesh, std::uint16_t material, const glm::vec3& foot, float radius, float height, std::uint32_t segments) {
+inline void addCylinder(Mesh& mesh, std::uint16_t material, const glm::vec3& foot, float radius, float height, std::uint32_t segments) {
   const auto base = static_cast<std::uint32_t>(mesh.positions.size());
   for (std::uint32_t i = 0; i < segments; ++i) {
     const float angle = 6.2831853F * static_cast<float>(i) / static_cast<float>(segments);
@@ -59,9 +62,7 @@ void addCylinder(Mesh& mesh, std::uint16_t material, const glm::vec3& foot, floa
   }
 }
 
-}  // namespace
-
-void addBox(Mesh& mesh, const glm::vec3& min, const glm::vec3& max, std::uint16_t material) {
+inline void addBox(Mesh& mesh, const glm::vec3& min, const glm::vec3& max, std::uint16_t material) {
   const auto base = static_cast<std::uint32_t>(mesh.positions.size());
   for (std::uint32_t i = 0; i < 8; ++i) {
     mesh.positions.emplace_back((i & 1U) != 0 ? max.x : min.x, (i & 2U) != 0 ? max.y : min.y, (i & 4U) != 0 ? max.z : min.z);
@@ -75,17 +76,12 @@ void addBox(Mesh& mesh, const glm::vec3& min, const glm::vec3& max, std::uint16_
   addFace(mesh, {p(0), p(1), p(5), p(4)}, material);
 }
 
-Scene boxScene(const glm::vec3& size, const glm::vec3& min) {
-  Scene scene;
-  scene.materials.push_back({});
-  scene.meshes.resize(1);
-  addBox(scene.meshes[0], min, min + size, 0);
-  scene.instances.push_back({});
-  finish(scene);
-  return scene;
-}
+}  // namespace village
 
-Scene villageScene() {
+/// A small village: a house with a gable roof, a round tower, a balcony, and a row of posts as instances. About 12 x 9 x 10 m,
+/// standing on y = 0; patterns and glass; everything but doors and windows is at least 0.4 m thick.
+inline Scene villageScene() {
+  using namespace village;
   using Pattern = Material::Pattern;
   Scene scene;
   scene.materials = {{.color = {0.80F, 0.78F, 0.73F}, .roughness = 0.9F, .pattern = Pattern::kPlaster},
