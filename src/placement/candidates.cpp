@@ -10,6 +10,9 @@ namespace dimline {
 
 namespace {
 
+/// A guide's offset may miss the least clearing one by rounding alone.
+constexpr double kGuideSlack = 1e-9;
+
 bool insideViewport(const Segment2& s, const View& view) {
   const Box2 box = view.viewport().grown(-kViewportMarginPx);
   for (const Vec2& p : {s.start, s.end}) {
@@ -18,8 +21,6 @@ bool insideViewport(const Segment2& s, const View& view) {
   }
   return true;
 }
-
-double leastLengthPx(const Annotation& annotation) { return std::max(kMinLineLengthPx, annotation.minLengthPx); }
 
 /// Puts the candidate's line at `line`; false when it is no place for a dimension line.
 bool moveTo(Candidate& candidate, const Segment& line, const View& view) {
@@ -31,7 +32,54 @@ bool moveTo(Candidate& candidate, const Segment& line, const View& view) {
   return true;
 }
 
+bool foreshortened(const Segment& s, const View& view) {
+  const double lengthM = s.length();
+  const double alongView = std::abs(glm::dot(s.end - s.start, view.directionTo(s.middle())));
+  return lengthM > 0 && alongView > std::cos(kForeshortenedAngleRad) * lengthM;
+}
+
+/// A candidate of `base` on `plane`, not placed yet.
+Candidate unplaced(const UsableBaseLine& base, const SlipPlane& plane, int direction, std::int32_t parameter) {
+  Candidate candidate;
+  candidate.identity = {.parameter = parameter,
+                        .scopeIndex = base.scopeIndex,
+                        .chain = base.cluster,
+                        .baseLine = static_cast<std::int16_t>(base.line.number),
+                        .plane = static_cast<std::int8_t>(plane.number),
+                        .direction = static_cast<std::int8_t>(direction)};
+  candidate.scope = base.scope;
+  candidate.base = base.line.segment;
+  candidate.baseScreen = base.screen;
+  candidate.plane = plane;
+  candidate.outward = plane.across * static_cast<double>(direction);
+  return candidate;
+}
+
+/// Scores the placed candidate and keeps it, when it is long enough.
+void keep(const CandidateContext& context, Candidate& candidate, std::vector<Candidate>& candidates) {
+  if (candidate.lineScreen.length() < leastLengthPx(context.annotation)) return;
+  candidate.score = score({.base = candidate.baseScreen,
+                           .candidate = candidate.lineScreen,
+                           .align = context.annotation.align,
+                           .sameAsLastFrame = candidate.identity == context.lastFrame,
+                           .intersects = false,
+                           .planeKind = candidate.plane.kind,
+                           .facing = candidate.plane.facing});
+  candidates.push_back(candidate);
+}
+
+/// Calls `use(plane, direction)` for each plane of a base line and each direction on it. A chain slips away from its members only.
+template <typename Use>
+void forEachSlip(const CandidateContext& context, const UsableBaseLine& base, Use use) {
+  for (const SlipPlane& plane : slipPlanes(base.line, context.annotation.slip, context.view)) {
+    use(plane, 1);
+    if (base.cluster < 0 || plane.kind == PlaneKind::kBillboard) use(plane, -1);
+  }
+}
+
 }  // namespace
+
+double leastLengthPx(const Annotation& annotation) { return std::max(kMinLineLengthPx, annotation.minLengthPx); }
 
 void gatherBaseLines(const Annotation& annotation, const Scope& scope, std::size_t scopeNumber, const View& view,
                      std::vector<UsableBaseLine>& lines, BaseLineTally& tally) {
@@ -44,62 +92,68 @@ void gatherBaseLines(const Annotation& annotation, const Scope& scope, std::size
     const Segment2 screen = view.toScreen(s);
     if (!meets(screen, view.viewport())) {
       ++tally.outOfView;
-      continue;
-    }
-    const double lengthM = s.length();
-    const double alongView = std::abs(glm::dot(s.end - s.start, view.directionTo(s.middle())));
-    if (lengthM > 0 && alongView > std::cos(kForeshortenedAngleRad) * lengthM) {
+    } else if (foreshortened(s, view)) {
       ++tally.foreshortened;
-      continue;
-    }
-    if (!(screen.length() >= leastLengthPx(annotation))) {
+    } else if (!(screen.length() >= leastLengthPx(annotation))) {
       ++tally.tooShort;
-      continue;
-    }
-    lines.push_back({scopeNumber, static_cast<std::int32_t>(scope.index), line, screen});
-  }
-}
-
-void gatherOutsideCandidates(const Annotation& annotation, const UsableBaseLine& base, const View& view,
-                             const DistanceFields& padded, const Identity& lastFrame, std::vector<Candidate>& candidates) {
-  for (const SlipPlane& plane : slipPlanes(base.line, annotation.slip, view)) {
-    for (const int direction : {1, -1}) {
-      const Vec3 outward = plane.across * static_cast<double>(direction);
-      const auto slide = Slide::make(view, base.line.segment, outward);
-      if (!slide) continue;
-      const double offsetM = leastClearingOffset(padded, *slide);
-      if (!std::isfinite(offsetM)) continue;
-
-      Candidate candidate;
-      candidate.identity = {.parameter = lastFrame.parameter,
-                            .scopeIndex = base.scopeIndex,
-                            .baseLine = static_cast<std::int16_t>(base.line.number),
-                            .plane = static_cast<std::int8_t>(plane.number),
-                            .direction = static_cast<std::int8_t>(direction)};
-      candidate.scope = base.scope;
-      candidate.base = base.line.segment;
-      candidate.baseScreen = base.screen;
-      candidate.plane = plane;
-      candidate.outward = outward;
-      if (!moveTo(candidate, slide->at(offsetM), view)) continue;
-      if (candidate.lineScreen.length() < leastLengthPx(annotation)) continue;
-      candidate.score = score({.base = candidate.baseScreen,
-                               .candidate = candidate.lineScreen,
-                               .align = annotation.align,
-                               .sameAsLastFrame = candidate.identity == lastFrame,
-                               .intersects = false,
-                               .planeKind = plane.kind,
-                               .facing = plane.facing});
-      candidates.push_back(candidate);
+    } else {
+      lines.push_back({.scope = scopeNumber, .scopeIndex = static_cast<std::int32_t>(scope.index), .cluster = -1, .line = line, .screen = screen});
     }
   }
 }
 
-void gatherInsideCandidate(const Annotation& annotation, const UsableBaseLine& base, const Obb& scope, const View& view,
-                           std::int32_t parameter, std::vector<Candidate>& candidates) {
+void gatherChainBaseLines(const Cluster& cluster, std::int32_t number, const View& view, std::vector<UsableBaseLine>& lines) {
+  for (const int side : {0, 1}) {
+    const BaseLine line = chainBaseLine(cluster, side);
+    if (!view.inFrontOfNear(line.segment.start) || !view.inFrontOfNear(line.segment.end)) continue;
+    if (foreshortened(line.segment, view)) continue;
+    lines.push_back({.scope = cluster.members.front().scope,
+                     .scopeIndex = -1,
+                     .cluster = number,
+                     .line = line,
+                     .screen = view.toScreen(line.segment)});
+  }
+}
+
+void gatherGuideCandidates(const CandidateContext& context, const UsableBaseLine& base, std::vector<Candidate>& candidates) {
+  if (context.guides.size() == 0) return;
+  const Vec3 along = glm::normalize(base.line.segment.end - base.line.segment.start);
+  forEachSlip(context, base, [&](const SlipPlane& plane, int direction) {
+    const Vec3 outward = plane.across * static_cast<double>(direction);
+    for (std::size_t i = 0; i < context.guides.size(); ++i) {
+      const Guide& guide = context.guides[i];
+      if (!liesOn(guide, plane.plane, along, context.modelSizeM)) continue;
+      const double offsetM = glm::dot(guide.point - base.line.segment.start, outward);
+      if (!(offsetM > 0)) continue;
+      const auto slide = Slide::make(context.view, base.line.segment, outward);
+      if (!slide || leastClearingOffset(context.paddedModel, *slide) > offsetM * (1 + kGuideSlack)) continue;
+      Candidate candidate = unplaced(base, plane, direction, context.lastFrame.parameter);
+      candidate.placement = PlacementKind::kGuide;
+      candidate.guide = static_cast<int>(i);
+      if (moveTo(candidate, slide->at(offsetM), context.view)) keep(context, candidate, candidates);
+    }
+  });
+}
+
+void gatherOutsideCandidates(const CandidateContext& context, const UsableBaseLine& base, std::vector<Candidate>& candidates) {
+  forEachSlip(context, base, [&](const SlipPlane& plane, int direction) {
+    const Vec3 outward = plane.across * static_cast<double>(direction);
+    const auto slide = Slide::make(context.view, base.line.segment, outward);
+    if (!slide) return;
+    const double offsetM = leastClearingOffset(context.padded, *slide);
+    if (!std::isfinite(offsetM)) return;
+    Candidate candidate = unplaced(base, plane, direction, context.lastFrame.parameter);
+    candidate.placement = PlacementKind::kOutside;
+    if (moveTo(candidate, slide->at(offsetM), context.view)) keep(context, candidate, candidates);
+  });
+}
+
+void gatherInsideCandidate(const CandidateContext& context, const UsableBaseLine& base, const Obb& scope,
+                           std::vector<Candidate>& candidates) {
   Candidate candidate;
-  candidate.identity = {.parameter = parameter,
+  candidate.identity = {.parameter = context.lastFrame.parameter,
                         .scopeIndex = base.scopeIndex,
+                        .chain = -1,
                         .baseLine = static_cast<std::int16_t>(base.line.number),
                         .plane = -1,
                         .direction = 0};
@@ -108,12 +162,13 @@ void gatherInsideCandidate(const Annotation& annotation, const UsableBaseLine& b
   candidate.baseScreen = candidate.lineScreen = base.screen;
   const Vec3 middle = scope.center();
   // A scope whose middle is behind the viewer has no direction on screen; then length alone decides.
-  const Vec2 middleScreen = view.inFrontOfNear(middle) ? view.toScreen(middle) : base.screen.middle();
-  candidate.score = scoreInside(base.screen, middleScreen, annotation.align);
+  const Vec2 middleScreen = context.view.inFrontOfNear(middle) ? context.view.toScreen(middle) : base.screen.middle();
+  candidate.score = scoreInside(base.screen, middleScreen, context.annotation.align);
   candidates.push_back(candidate);
 }
 
 bool pushOutward(Candidate& candidate, double byPx, const View& view) {
+  if (candidate.guide >= 0) return false;
   const Vec3 middle = candidate.line.middle();
   // One pixel's worth of world at that depth, tried along the plane: its length on screen turns pixels into metres.
   const double probeM = view.metresPerPixelAt(middle);

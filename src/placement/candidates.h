@@ -3,30 +3,34 @@
 #include <vector>
 
 #include "model/annotation.h"
+#include "placement/guides.h"
 #include "placement/layout.h"
 #include "placement/slip_planes.h"
 
 namespace dimline {
 
-/// A base line moved on a plane to outside the silhouette; or, as the fallback, a base line itself.
+/// A base line that can be used in this frame: of one scope, or of a chain.
+struct UsableBaseLine {
+  std::size_t scope = 0;          ///< index into Scene::scopes; of a chain, its first member's
+  std::int32_t scopeIndex = -1;   ///< among the scopes of that name; -1 for a chain
+  std::int32_t cluster = -1;      ///< of a chain
+  BaseLine line;
+  Segment2 screen;
+};
+
+/// A base line moved on a plane to outside the silhouette or onto a guide; or, as the fallback, a base line itself.
 struct Candidate {
   Identity identity;
-  std::size_t scope = 0;    ///< index into Scene::scopes
+  std::size_t scope = 0;
+  PlacementKind placement = PlacementKind::kInside;
   Segment base;
   Segment2 baseScreen;
   Segment line;
   Segment2 lineScreen;
   SlipPlane plane;          ///< kind kNone for the fallback
   Vec3 outward{0.0};        ///< unit direction in the world in which the line was moved; zero for the fallback
+  int guide = -1;           ///< number of the guide it lies on
   double score = 0;         ///< without the Intersect term
-};
-
-/// A base line that can be used in this frame.
-struct UsableBaseLine {
-  std::size_t scope = 0;
-  std::int32_t scopeIndex = 0;
-  BaseLine line;
-  Segment2 screen;
 };
 
 /// What became of a parameter's base lines, for the reason why it is hidden when none is left.
@@ -36,21 +40,41 @@ struct BaseLineTally {
   int tooShort = 0;         ///< shorter on screen than the least length
 };
 
+/// What the candidates of one parameter are made from and judged by in one frame.
+struct CandidateContext {
+  const Annotation& annotation;
+  const View& view;
+  const DistanceFields& padded;        ///< model and landed lines, with handleSpacing
+  const DistanceFields& paddedModel;   ///< the model alone, with handleSpacing
+  const Guides& guides;
+  const Identity& lastFrame;           ///< the parameter's choice then, for the term Damp
+  double modelSizeM = 0;
+};
+
+/// The least length on screen at which a line of this annotation is shown.
+double leastLengthPx(const Annotation& annotation);
+
 /// Adds the base lines of one scope that can be used: in front of the near plane, seen in the viewport, not foreshortened, long enough.
 void gatherBaseLines(const Annotation& annotation, const Scope& scope, std::size_t scopeNumber, const View& view,
                      std::vector<UsableBaseLine>& lines, BaseLineTally& tally);
 
-/// Adds the candidates of a base line outside the silhouette, up to two a plane (paper 4.1): slid to the least offset that clears `padded`, within the
-/// viewport's margin. `lastFrame`: the parameter's choice then, for the term Damp.
-void gatherOutsideCandidates(const Annotation& annotation, const UsableBaseLine& base, const View& view,
-                             const DistanceFields& padded, const Identity& lastFrame, std::vector<Candidate>& candidates);
+/// Adds the two chain base lines of a cluster, as far as they can be used. A chain's own length says nothing about its members', so the least length is
+/// left to them.
+void gatherChainBaseLines(const Cluster& cluster, std::int32_t number, const View& view, std::vector<UsableBaseLine>& lines);
+
+/// Adds the candidates of a base line on the guides that lie on its planes and leave the model's padded silhouette clear (algorithm 1, lines 6 and 7).
+/// Whether the stretch is free is for the caller to see.
+void gatherGuideCandidates(const CandidateContext& context, const UsableBaseLine& base, std::vector<Candidate>& candidates);
+
+/// Adds the candidates of a base line outside the silhouette, up to two a plane (paper 4.1): slid to the least offset that clears the padded fields,
+/// within the viewport's margin.
+void gatherOutsideCandidates(const CandidateContext& context, const UsableBaseLine& base, std::vector<Candidate>& candidates);
 
 /// Adds the base line itself (algorithm 1, line 9).
-void gatherInsideCandidate(const Annotation& annotation, const UsableBaseLine& base, const Obb& scope, const View& view,
-                           std::int32_t parameter, std::vector<Candidate>& candidates);
+void gatherInsideCandidate(const CandidateContext& context, const UsableBaseLine& base, const Obb& scope, std::vector<Candidate>& candidates);
 
 /// Moves an outside candidate further out by `byPx` on screen, for a label that has no room at the least offset. False when it would leave the
-/// viewport or pass the near plane.
+/// viewport or pass the near plane, or lies on a guide, which it must not leave.
 bool pushOutward(Candidate& candidate, double byPx, const View& view);
 
 }  // namespace dimline

@@ -87,9 +87,11 @@ std::optional<Box2> placeLabel(const LabelRequest& request, const Landed& landed
       if (search.tryAt(visible->middle() + direction * (share * room))) return search.found();
     }
   }
-  const double beyond = reach(half, direction) + kArrowHalfWidthPx + kLabelPaddingPx;
-  if (search.tryAt(request.line.end + direction * beyond)) return search.found();
-  if (search.tryAt(request.line.start - direction * beyond)) return search.found();
+  if (!request.inChain) {
+    const double beyond = reach(half, direction) + kArrowHalfWidthPx + kLabelPaddingPx;
+    if (search.tryAt(request.line.end + direction * beyond)) return search.found();
+    if (search.tryAt(request.line.start - direction * beyond)) return search.found();
+  }
 
   Vec2 normal{-direction.y, direction.x};
   if (glm::dot(normal, request.outward) < 0) normal = -normal;

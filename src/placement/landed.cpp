@@ -1,42 +1,45 @@
 #include "placement/landed.h"
 
+#include <algorithm>
+#include <array>
+
 namespace dimline {
 
 void Landed::clear() {
-  segments_.clear();
+  lines_.clear();
+  extensions_.clear();
   labels_.clear();
 }
 
-void Landed::add(const PlacedLine& line) {
-  segments_.push_back(line.lineScreen);
+void Landed::add(const PlacedLine& line, int guide) {
+  lines_.push_back({line.lineScreen, guide});
   for (const auto* extension : {&line.extensionStart, &line.extensionEnd}) {
-    for (std::size_t i = 1; i < extension->size(); ++i) segments_.push_back({(*extension)[i - 1], (*extension)[i]});
+    for (std::size_t i = 1; i < extension->size(); ++i) extensions_.push_back({(*extension)[i - 1], (*extension)[i]});
   }
   if (line.label) labels_.push_back(*line.label);
 }
 
 bool Landed::crosses(const Segment2& base, const Segment2& line) const {
   const std::array<Segment2, 3> parts{line, Segment2{base.start, line.start}, Segment2{base.end, line.end}};
-  for (const Segment2& part : parts) {
-    for (const Segment2& segment : segments_) {
-      if (segmentsCross(part, segment)) return true;
-    }
-    for (const Box2& label : labels_) {
-      if (meets(part, label)) return true;
-    }
-  }
-  return false;
+  return std::ranges::any_of(parts, [&](const Segment2& part) {
+    return std::ranges::any_of(lines_, [&](const Line& l) { return segmentsCross(part, l.segment); }) ||
+           std::ranges::any_of(extensions_, [&](const Segment2& e) { return segmentsCross(part, e); }) ||
+           std::ranges::any_of(labels_, [&](const Box2& label) { return meets(part, label); });
+  });
+}
+
+bool Landed::hasRoom(const Segment2& line, int guide) const {
+  return std::ranges::none_of(lines_,
+                              [&](const Line& l) { return l.guide != guide && distanceBetween(l.segment, line) < kHandleSpacingPx; }) &&
+         std::ranges::none_of(extensions_, [&](const Segment2& e) { return segmentsCross(e, line); }) &&
+         std::ranges::none_of(labels_, [&](const Box2& label) { return meets(line, label.grown(kLabelClearancePx)); });
 }
 
 bool Landed::hasRoom(const Box2& label) const {
   const Box2 grown = label.grown(kLabelClearancePx);
-  for (const Segment2& segment : segments_) {
-    if (meets(segment, grown)) return false;
-  }
-  for (const Box2& other : labels_) {
-    if (grown.overlaps(other)) return false;
-  }
-  return true;
+  return std::ranges::none_of(lines_, [&](const Line& l) { return meets(l.segment, grown); }) &&
+         std::ranges::none_of(extensions_, [&](const Segment2& e) { return meets(e, grown); }) &&
+         std::ranges::none_of(labels_, [&](const Box2& other) { return grown.overlaps(other); });
 }
 
 }  // namespace dimline

@@ -6,22 +6,31 @@
 
 namespace dimline {
 
-/// What has been placed so far in this frame, as it lies on screen: the exact side of what the fields know by strips. Answers the score's Intersect term
-/// and whether a label has room.
+/// What has been placed so far in this frame, as it lies on screen: the exact side of what the fields know by strips. Answers the score's Intersect term,
+/// whether a label has room, and whether a line may lie on a guide.
 class Landed {
  public:
   void clear();
-  void add(const PlacedLine& line);
+  /// `guide`: the number of the guide that the line lies on or has made; -1 when it has none.
+  void add(const PlacedLine& line, int guide);
 
   /// Whether a line or one of its extension lines (straight, from base to final line) crosses a line, an extension line or a label that has landed
   /// (paper 4.2, Intersect).
   [[nodiscard]] bool crosses(const Segment2& base, const Segment2& line) const;
 
+  /// Whether a line on a guide keeps handleSpacing from the lines of other guides and kLabelClearancePx from all labels, and crosses no extension line.
+  [[nodiscard]] bool hasRoom(const Segment2& line, int guide) const;
+
   /// Whether a label's box keeps kLabelClearancePx from every line, extension line and label that has landed.
   [[nodiscard]] bool hasRoom(const Box2& label) const;
 
  private:
-  std::vector<Segment2> segments_;   ///< lines and extension lines
+  struct Line {
+    Segment2 segment;
+    int guide = -1;
+  };
+  std::vector<Line> lines_;
+  std::vector<Segment2> extensions_;
   std::vector<Box2> labels_;
 };
 

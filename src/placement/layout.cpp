@@ -45,7 +45,9 @@ std::string_view name(HiddenReason reason) {
 std::string identityText(const Identity& identity, std::span<const Parameter> parameters) {
   const auto parameter = static_cast<std::size_t>(identity.parameter);
   std::string text = identity.parameter >= 0 && parameter < parameters.size() ? parameters[parameter].name : "?";
-  for (const int part : {int{identity.scopeIndex}, int{identity.baseLine}, int{identity.plane}}) text += "/" + std::to_string(part);
+  for (const int part : {int{identity.scopeIndex}, int{identity.chain}, int{identity.baseLine}, int{identity.plane}}) {
+    text += part < 0 ? std::string("/-") : "/" + std::to_string(part);
+  }
   text += identity.direction > 0 ? "/+" : identity.direction < 0 ? "/-" : "/0";
   return text;
 }

@@ -25,8 +25,9 @@ enum class HiddenReason : std::uint8_t { kOccluded, kOutOfView, kTooShort, kFore
 /// What makes a candidate the same one in two frames (DESIGN.md section 4): for damping, animation and hysteresis.
 struct Identity {
   std::int32_t parameter = -1;
-  std::int32_t scopeIndex = -1;   ///< among the scopes of the annotation's name
-  std::int16_t baseLine = -1;     ///< which of the scope's base lines
+  std::int32_t scopeIndex = -1;   ///< among the scopes of the annotation's name; -1 for a chain as a whole
+  std::int32_t chain = -1;        ///< number of the chain's cluster; -1 for a line of its own
+  std::int16_t baseLine = -1;     ///< which of the scope's base lines; of a chain, which side of its rectangle
   std::int8_t plane = -1;         ///< which of the base line's planes; -1 on the base line itself
   std::int8_t direction = 0;      ///< +1 or -1 along that plane's slide direction, 0 on the base line itself
   bool operator==(const Identity&) const = default;
@@ -54,6 +55,7 @@ struct PlacedLine {
   /// Extension lines from the base line's ends to the final line's: start and end, each a polyline, base end first. Empty when inside.
   std::vector<Vec2> extensionStart;
   std::vector<Vec2> extensionEnd;
+  std::int32_t chain = -1;        ///< equal for the members of one chain, different between chains; -1 for a line of its own
   bool indirect = false;          ///< drawn stippled
   double lengthM = 0;             ///< of the base line, in the world
   double value = 0;               ///< the parameter's value
@@ -81,7 +83,7 @@ std::string_view name(PlaneKind kind);
 std::string_view name(Facing facing);
 std::string_view name(HiddenReason reason);
 
-/// "WindowWidth/3/1/0/+": equal in two frames exactly when the identities are.
+/// "WindowWidth/3/-/1/0/+": equal in two frames exactly when the identities are.
 std::string identityText(const Identity& identity, std::span<const Parameter> parameters);
 
 }  // namespace dimline

@@ -1,34 +1,50 @@
 #include "placement/placer.h"
 
 #include <algorithm>
+#include <tuple>
 
 #include "placement/candidates.h"
 #include "placement/label_text.h"
 #include "placement/labels.h"
+#include "placement/landed.h"
 #include "placement/score.h"
 #include "placement/text_metrics.h"
 #include "placement/visibility.h"
 
-// Algorithm 1 of the paper, one parameter after the other. The fields stand twice: the model's own, against which labels are tested, and the
-// padded ones, in which the model is grown by handleSpacing and every line that has landed by what later lines keep from it. A line that
-// clears the padded fields therefore keeps its distance from everything, and no step after the query needs to add padding.
+// Algorithm 1 of the paper, one parameter after the other. The fields stand twice more than they are measured: padded by handleSpacing, and padded with
+// every line that has landed, each grown by what later lines keep from it. A line that clears those keeps its distance from everything, so no
+// step after the query needs to add padding.
+//
+// A candidate is one line, or a chain with its members; both are expanded to members before labels are placed, so that a line of its own is
+// a chain of one from there on.
 
 namespace dimline {
 
 namespace {
 
-/// A parameter with a dimension line, and the scopes it measures.
+/// A parameter with a dimension line, and what it measures. Made at model change.
 struct Measured {
   std::size_t parameter = 0;
   Annotation annotation;
   std::vector<std::size_t> scopes;   ///< indices into the scene's scopes
+  std::vector<Cluster> clusters;     ///< of a chained parameter
   double meanLengthM = 0;
   std::string text;                  ///< its label, for the value it was made of
   double textValue = 0;
   Vec2 textSize{0.0};
 };
 
-double meanBaseLength(const Annotation& annotation, const std::vector<Scope>& scopes, const std::vector<std::size_t>& measured) {
+/// One line of the winner: the line itself, or a member of its chain.
+struct Member {
+  std::size_t scope = 0;
+  Segment base;
+  Segment2 baseScreen;
+  Segment line;
+  Segment2 lineScreen;
+  std::optional<Box2> label;
+};
+
+double meanBaseLengthM(const Annotation& annotation, const std::vector<Scope>& scopes, const std::vector<std::size_t>& measured) {
   double sum = 0;
   for (const std::size_t scope : measured) sum += meanBaseLengthM(annotation, scopes[scope].box);
   return measured.empty() ? 0.0 : sum / static_cast<double>(measured.size());
@@ -41,26 +57,42 @@ HiddenReason reasonFor(const BaseLineTally& tally, bool anyScope) {
   return HiddenReason::kOutOfView;
 }
 
+auto orderOf(const Identity& i) { return std::tie(i.chain, i.scopeIndex, i.baseLine, i.plane, i.direction); }
+
 }  // namespace
 
 struct Placer::State {
   std::vector<Parameter> parameters;
   std::vector<Scope> scopes;
+  double modelSizeM = 0;
   std::vector<Measured> order;        ///< shortest first
   std::vector<Identity> lastFrame;    ///< one a parameter; its `parameter` is always set, the rest as chosen
 
   // Memory of one frame, kept so that the next allocates nothing.
+  DistanceFields paddedModel;
   DistanceFields padded;
   Landed landed;
+  Guides guides;
+  std::vector<char> visible;          ///< one a scope
   std::vector<UsableBaseLine> bases;
+  std::vector<UsableBaseLine> chainBases;
   std::vector<Candidate> candidates;
+  std::vector<Member> members;        ///< of the candidate that is looked at
+  std::vector<Member> winnerMembers;
+  TakenStretches chainStretches;
   std::vector<PlacedLine> spareLines;
 
   void placeParameter(Measured& measured, const View& view, const DistanceFields& model, double value, Layout& layout);
-  bool settle(Candidate& candidate, const Measured& measured, const View& view, const DistanceFields& model, std::optional<Box2>& label);
-  const Candidate* chooseOutside(const Measured& measured, const View& view, const DistanceFields& model, std::optional<Box2>& label);
-  const Candidate* chooseInside(const Measured& measured, const View& view, std::optional<Box2>& label);
-  void land(const PlacedLine& line);
+  void gatherCandidates(const Measured& measured, const CandidateContext& context, bool onGuides);
+  const Candidate* chooseWinner(const Measured& measured, const View& view, const DistanceFields& model);
+  const Candidate* chooseInside(const Measured& measured, const CandidateContext& context);
+  bool expand(const Candidate& candidate, const Measured& measured, const View& view);
+  bool expandChain(const Candidate& candidate, const Measured& measured, const View& view);
+  bool settle(Candidate& candidate, const Measured& measured, const View& view, const DistanceFields& model);
+  bool placeLabels(const Candidate& candidate, const Measured& measured, const View& view, const DistanceFields& model);
+  bool fellowsLeaveRoom(const Box2& label, std::size_t own) const;
+  void land(const Candidate& winner, const Measured& measured, double value, Layout& layout);
+  int guideOf(const Candidate& winner);
   PlacedLine& appendLine(Layout& layout);
   void recycle(Layout& layout);
 };
@@ -81,6 +113,7 @@ void Placer::setScene(const Model& model, const Scene& scene) {
   const auto sameName = [](const Parameter& a, const Parameter& b) { return a.name == b.name; };
   const bool sameModel = std::ranges::equal(s.parameters, model.parameters(), sameName);
   s.scopes = scene.scopes;
+  s.modelSizeM = scene.bounds.diagonal();
   if (!sameModel) {
     s.parameters.assign(model.parameters().begin(), model.parameters().end());
     s.lastFrame.resize(s.parameters.size());
@@ -96,7 +129,8 @@ void Placer::setScene(const Model& model, const Scene& scene) {
     for (std::size_t scope = 0; scope < s.scopes.size(); ++scope) {
       if (s.scopes[scope].name == annotation->scope) measured.scopes.push_back(scope);
     }
-    measured.meanLengthM = meanBaseLength(*annotation, s.scopes, measured.scopes);
+    if (annotation->chained) measured.clusters = clusterBaseLines(*annotation, s.scopes, measured.scopes, s.modelSizeM);
+    measured.meanLengthM = meanBaseLengthM(*annotation, s.scopes, measured.scopes);
     measured.textValue = std::numeric_limits<double>::quiet_NaN();   // equal to no value: the text is made in the first frame
     s.order.push_back(std::move(measured));
   }
@@ -110,9 +144,14 @@ void Placer::place(const View& view, const DistanceFields& fields, const Values&
   layout.hidden.clear();
   layout.visibleScopes.clear();
   s.landed.clear();
-  pad(fields, kHandleSpacingPx, s.padded);
+  s.guides.clear();
+  pad(fields, kHandleSpacingPx, s.paddedModel);
+  s.padded = s.paddedModel;
+  s.visible.assign(s.scopes.size(), 0);
   for (std::size_t i = 0; i < s.scopes.size(); ++i) {
-    if (inView(view, s.scopes[i].box)) layout.visibleScopes.push_back(i);
+    if (!inView(view, s.scopes[i].box)) continue;
+    s.visible[i] = 1;
+    layout.visibleScopes.push_back(i);
   }
   for (Measured& measured : s.order) s.placeParameter(measured, view, fields, values.at(measured.parameter), layout);
 }
@@ -121,7 +160,13 @@ void Placer::place(const View& view, const DistanceFields& fields, const Values&
 void Placer::State::placeParameter(Measured& measured, const View& view, const DistanceFields& model, double value, Layout& layout) {
   bases.clear();
   BaseLineTally tally;
-  for (const std::size_t scope : measured.scopes) gatherBaseLines(measured.annotation, scopes[scope], scope, view, bases, tally);
+  for (const std::size_t scope : measured.scopes) {
+    if (visible[scope] == 0) {
+      ++tally.outOfView;
+    } else {
+      gatherBaseLines(measured.annotation, scopes[scope], scope, view, bases, tally);
+    }
+  }
   Identity& last = lastFrame[measured.parameter];
   if (bases.empty()) {
     layout.hidden.push_back({measured.parameter, reasonFor(tally, !measured.scopes.empty())});
@@ -134,70 +179,49 @@ void Placer::State::placeParameter(Measured& measured, const View& view, const D
     measured.textSize = labelSizePx(measured.text);
   }
 
-  std::optional<Box2> label;
-  const Candidate* chosen = chooseOutside(measured, view, model, label);
-  const bool outside = chosen != nullptr;
-  if (!outside) chosen = chooseInside(measured, view, label);
-
-  last = chosen->identity;
-  PlacedLine& line = appendLine(layout);
-  line.parameter = measured.parameter;
-  line.scope = chosen->scope;
-  line.identity = chosen->identity;
-  line.placement = outside ? PlacementKind::kOutside : PlacementKind::kInside;
-  line.planeKind = chosen->plane.kind;
-  line.facing = chosen->plane.facing;
-  line.plane = chosen->plane.plane;
-  line.base = chosen->base;
-  line.line = chosen->line;
-  line.baseScreen = chosen->baseScreen;
-  line.lineScreen = chosen->lineScreen;
-  line.extensionStart.clear();
-  line.extensionEnd.clear();
-  if (outside) {
-    for (const Vec2& p : {chosen->baseScreen.start, chosen->lineScreen.start}) line.extensionStart.push_back(p);
-    for (const Vec2& p : {chosen->baseScreen.end, chosen->lineScreen.end}) line.extensionEnd.push_back(p);
+  const CandidateContext context{measured.annotation, view, padded, paddedModel, guides, last, modelSizeM};
+  const Candidate* winner = nullptr;
+  for (const bool onGuides : {true, false}) {
+    gatherCandidates(measured, context, onGuides);
+    winner = chooseWinner(measured, view, model);
+    if (winner != nullptr) break;
   }
-  line.indirect = measured.annotation.indirect;
-  line.lengthM = chosen->base.length();
-  line.value = value;
-  line.text = measured.text;
-  line.label = label;
-  line.handles.clear();
-  line.handles.push_back({true, chosen->lineScreen.end});
-  if (measured.annotation.ends == HandleEnds::kBoth) line.handles.push_back({false, chosen->lineScreen.start});
-  land(line);
+  if (winner == nullptr) winner = chooseInside(measured, context);
+  last = winner->identity;
+  land(*winner, measured, value, layout);
 }
 
-/// Gives the candidate's label a place, moving the line further out where it has none. False when there is none.
-bool Placer::State::settle(Candidate& candidate, const Measured& measured, const View& view, const DistanceFields& model,
-                           std::optional<Box2>& label) {
-  for (int step = 0; step <= kLabelPushSteps; ++step) {
-    if (step > 0 && !pushOutward(candidate, kLabelPushStepPx, view)) return false;
-    label = placeLabel({.line = candidate.lineScreen,
-                        .textSize = measured.textSize,
-                        .outward = candidate.lineScreen.middle() - candidate.baseScreen.middle(),
-                        .model = &model},
-                       landed, view.viewport());
-    if (label) return true;
-  }
-  return false;
-}
-
-/// computeWithSilhouette and computeWinner. The Intersect term and the label are dear, so they are looked at only for candidates that could still win: the
-/// term only lowers a score, and the candidates come in descending order.
-const Candidate* Placer::State::chooseOutside(const Measured& measured, const View& view, const DistanceFields& model,
-                                              std::optional<Box2>& label) {
+/// Candidates on guides, or else outside the silhouette, best first. A chained parameter slides its chains; if it has none that can be used, as
+/// when they pass behind the viewer, its base lines stand for themselves.
+void Placer::State::gatherCandidates(const Measured& measured, const CandidateContext& context, bool onGuides) {
   candidates.clear();
-  for (const UsableBaseLine& base : bases) {
-    gatherOutsideCandidates(measured.annotation, base, view, padded, lastFrame[measured.parameter], candidates);
+  const auto gather = [&](const std::vector<UsableBaseLine>& from) {
+    for (const UsableBaseLine& base : from) {
+      if (onGuides) {
+        gatherGuideCandidates(context, base, candidates);
+      } else {
+        gatherOutsideCandidates(context, base, candidates);
+      }
+    }
+  };
+  if (measured.clusters.empty()) {
+    gather(bases);
+  } else {
+    chainBases.clear();
+    for (std::size_t i = 0; i < measured.clusters.size(); ++i) {
+      gatherChainBaseLines(measured.clusters[i], static_cast<std::int32_t>(i), context.view, chainBases);
+    }
+    gather(chainBases);
   }
-  // Equal scores keep the order of their making, so that the same frame always gives the same layout.
+  // Equal scores are ordered by identity, so that the same frame always gives the same layout.
   std::ranges::sort(candidates, [](const Candidate& a, const Candidate& b) {
-    return a.score != b.score ? a.score > b.score
-                              : std::tie(a.identity.scopeIndex, a.identity.baseLine, a.identity.plane, a.identity.direction) <
-                                    std::tie(b.identity.scopeIndex, b.identity.baseLine, b.identity.plane, b.identity.direction);
+    return a.score != b.score ? a.score > b.score : orderOf(a.identity) < orderOf(b.identity);
   });
+}
+
+/// computeWinner. The Intersect term and the labels are dear, so they are looked at only for candidates that could still win: the term only lowers a
+/// score, and the candidates come in descending order.
+const Candidate* Placer::State::chooseWinner(const Measured& measured, const View& view, const DistanceFields& model) {
   const Candidate* best = nullptr;
   double bestScore = 0;
   for (Candidate& candidate : candidates) {
@@ -205,38 +229,149 @@ const Candidate* Placer::State::chooseOutside(const Measured& measured, const Vi
     double candidateScore = candidate.score;
     if (landed.crosses(candidate.baseScreen, candidate.lineScreen)) candidateScore += kScoreIntersect;
     if (best != nullptr && bestScore >= candidateScore) continue;
-    std::optional<Box2> candidateLabel;
-    if (!settle(candidate, measured, view, model, candidateLabel)) continue;
+    if (!settle(candidate, measured, view, model)) continue;
     best = &candidate;
     bestScore = candidateScore;
-    label = candidateLabel;
+    std::swap(members, winnerMembers);
   }
   return best;
 }
 
-/// The fallback: the base lines themselves. A label that has no room there is left out.
-const Candidate* Placer::State::chooseInside(const Measured& measured, const View& view, std::optional<Box2>& label) {
+/// The fallback: the base lines themselves (algorithm 1, line 9). A label that has no room there is left out.
+const Candidate* Placer::State::chooseInside(const Measured& measured, const CandidateContext& context) {
   candidates.clear();
-  for (const UsableBaseLine& base : bases) {
-    gatherInsideCandidate(measured.annotation, base, scopes[base.scope].box, view, static_cast<std::int32_t>(measured.parameter),
-                          candidates);
-  }
-  const auto best = std::ranges::max_element(candidates, {}, &Candidate::score);
-  label = placeLabel({.line = best->lineScreen, .textSize = measured.textSize}, landed, view.viewport());
-  return &*best;
+  for (const UsableBaseLine& base : bases) gatherInsideCandidate(context, base, scopes[base.scope].box, candidates);
+  const Candidate& best = *std::ranges::max_element(candidates, {}, &Candidate::score);
+  winnerMembers.clear();
+  winnerMembers.push_back({best.scope, best.base, best.baseScreen, best.line, best.lineScreen,
+                           placeLabel({.line = best.lineScreen, .textSize = measured.textSize}, landed, context.view.viewport())});
+  return &best;
 }
 
-/// Silhouette updating (paper 4.5): what has landed becomes part of what later lines keep away from.
-void Placer::State::land(const PlacedLine& line) {
-  landed.add(line);
-  if (line.placement == PlacementKind::kInside) return;   // inside the silhouette there is nothing to pull in
-  pullIn(padded, line.lineScreen, kHandleSpacingPx);
-  for (const auto* extension : {&line.extensionStart, &line.extensionEnd}) {
-    for (std::size_t i = 1; i < extension->size(); ++i) {
-      pullIn(padded, Segment2{(*extension)[i - 1], (*extension)[i]}, kExtensionClearancePx);
-    }
+/// Fills `members` with the lines that a candidate stands for. False when there is none that has room.
+bool Placer::State::expand(const Candidate& candidate, const Measured& measured, const View& view) {
+  members.clear();
+  if (candidate.identity.chain >= 0) return expandChain(candidate, measured, view);
+  if (candidate.guide >= 0) {
+    const Guide& guide = guides[static_cast<std::size_t>(candidate.guide)];
+    const auto [from, to] = std::minmax({guide.metresAt(candidate.line.start), guide.metresAt(candidate.line.end)});
+    if (!guide.taken.free(from, to, kSamePlaneDistance * modelSizeM) || !landed.hasRoom(candidate.lineScreen, candidate.guide)) return false;
   }
-  if (line.label) pullIn(padded, *line.label, kLabelClearancePx);
+  members.push_back({candidate.scope, candidate.base, candidate.baseScreen, candidate.line, candidate.lineScreen, std::nullopt});
+  return true;
+}
+
+/// Projects the cluster's base lines onto the chain, nearest first; one whose region is taken already is refused (paper 4.3).
+bool Placer::State::expandChain(const Candidate& candidate, const Measured& measured, const View& view) {
+  const Cluster& cluster = measured.clusters[static_cast<std::size_t>(candidate.identity.chain)];
+  const double toleranceM = kSamePlaneDistance * modelSizeM;
+  const Guide* guide = candidate.guide >= 0 ? &guides[static_cast<std::size_t>(candidate.guide)] : nullptr;
+  chainStretches.clear();
+  for (const std::uint32_t index : cluster.nearestFirst[static_cast<std::size_t>(candidate.identity.baseLine)]) {
+    const ChainMember& m = cluster.members[index];
+    if (visible[m.scope] == 0 || !chainStretches.free(m.fromM, m.toM, toleranceM)) continue;
+    if (!view.inFrontOfNear(m.segment.start) || !view.inFrontOfNear(m.segment.end)) continue;
+    const Segment line{candidate.line.start + cluster.along * m.fromM, candidate.line.start + cluster.along * m.toM};
+    const Segment2 lineScreen = view.toScreen(line);
+    if (lineScreen.length() < leastLengthPx(measured.annotation)) continue;
+    if (guide != nullptr) {
+      const auto [from, to] = std::minmax({guide->metresAt(line.start), guide->metresAt(line.end)});
+      if (!guide->taken.free(from, to, toleranceM) || !landed.hasRoom(lineScreen, candidate.guide)) continue;
+    }
+    chainStretches.add(m.fromM, m.toM);
+    members.push_back({m.scope, m.segment, view.toScreen(m.segment), line, lineScreen, std::nullopt});
+  }
+  return !members.empty();
+}
+
+/// Expands a candidate and gives it a label, moving it further out where the label has no room. False when there is none.
+bool Placer::State::settle(Candidate& candidate, const Measured& measured, const View& view, const DistanceFields& model) {
+  for (int step = 0; step <= kLabelPushSteps; ++step) {
+    if (step > 0 && !pushOutward(candidate, kLabelPushStepPx, view)) return false;
+    if (!expand(candidate, measured, view)) return false;
+    if (placeLabels(candidate, measured, view, model)) return true;
+  }
+  return false;
+}
+
+/// As many members carry a text as have room; false when none has.
+bool Placer::State::placeLabels(const Candidate& candidate, const Measured& measured, const View& view, const DistanceFields& model) {
+  bool any = false;
+  for (std::size_t i = 0; i < members.size(); ++i) {
+    const auto box = placeLabel({.line = members[i].lineScreen,
+                                 .textSize = measured.textSize,
+                                 .outward = candidate.lineScreen.middle() - candidate.baseScreen.middle(),
+                                 .model = &model,
+                                 .inChain = members.size() > 1},
+                                landed, view.viewport());
+    if (!box || !fellowsLeaveRoom(*box, i)) continue;
+    members[i].label = box;
+    any = true;
+  }
+  return any;
+}
+
+bool Placer::State::fellowsLeaveRoom(const Box2& label, std::size_t own) const {
+  const Box2 grown = label.grown(kLabelClearancePx);
+  for (std::size_t i = 0; i < members.size(); ++i) {
+    if (i == own) continue;
+    if (meets(members[i].lineScreen, grown)) return false;
+    if (members[i].label && grown.overlaps(*members[i].label)) return false;
+  }
+  return true;
+}
+
+/// The guide that the winner lies on: the one it snapped to, or a new one. Lines inside the model make none.
+int Placer::State::guideOf(const Candidate& winner) {
+  if (winner.placement == PlacementKind::kInside) return -1;
+  return winner.guide >= 0 ? winner.guide : guides.add(winner.plane.plane, winner.line);
+}
+
+/// Writes the winner into the layout, and into everything that later lines look at (silhouette updating, paper 4.5).
+void Placer::State::land(const Candidate& winner, const Measured& measured, double value, Layout& layout) {
+  const int guide = guideOf(winner);
+  const bool inside = winner.placement == PlacementKind::kInside;
+  for (const Member& member : winnerMembers) {
+    PlacedLine& line = appendLine(layout);
+    line.parameter = measured.parameter;
+    line.scope = member.scope;
+    line.identity = winner.identity;
+    line.identity.scopeIndex = static_cast<std::int32_t>(scopes[member.scope].index);
+    line.placement = winner.placement;
+    line.planeKind = winner.plane.kind;
+    line.facing = winner.plane.facing;
+    line.plane = winner.plane.plane;
+    line.base = member.base;
+    line.line = member.line;
+    line.baseScreen = member.baseScreen;
+    line.lineScreen = member.lineScreen;
+    line.extensionStart.clear();
+    line.extensionEnd.clear();
+    if (!inside) {
+      for (const Vec2& p : {member.baseScreen.start, member.lineScreen.start}) line.extensionStart.push_back(p);
+      for (const Vec2& p : {member.baseScreen.end, member.lineScreen.end}) line.extensionEnd.push_back(p);
+    }
+    // A parameter has at most one chain in a frame, so its number says which chain it is.
+    line.chain = winner.identity.chain >= 0 ? static_cast<std::int32_t>(measured.parameter) : -1;
+    line.indirect = measured.annotation.indirect;
+    line.lengthM = member.base.length();
+    line.value = value;
+    line.text = measured.text;
+    line.label = member.label;
+    line.handles.clear();
+    line.handles.push_back({true, member.lineScreen.end});
+    if (measured.annotation.ends == HandleEnds::kBoth) line.handles.push_back({false, member.lineScreen.start});
+
+    landed.add(line, guide);
+    if (inside) continue;   // inside the silhouette there is nothing to pull in
+    Guide& carrier = guides[static_cast<std::size_t>(guide)];
+    const auto [from, to] = std::minmax({carrier.metresAt(member.line.start), carrier.metresAt(member.line.end)});
+    carrier.taken.add(from, to);
+    pullIn(padded, line.lineScreen, kHandleSpacingPx);
+    pullIn(padded, Segment2{member.baseScreen.start, member.lineScreen.start}, kExtensionClearancePx);
+    pullIn(padded, Segment2{member.baseScreen.end, member.lineScreen.end}, kExtensionClearancePx);
+    if (line.label) pullIn(padded, *line.label, kLabelClearancePx);
+  }
 }
 
 PlacedLine& Placer::State::appendLine(Layout& layout) {

@@ -32,7 +32,7 @@ TEST_CASE("the line is interrupted by the text's width along it and the padding"
 
 TEST_CASE("a label moves along its line when the middle is taken") {
   Landed landed;
-  landed.add(placed({{190, 400}, {190, 600}}));
+  landed.add(placed({{190, 400}, {190, 600}}), -1);
   const auto box = placeLabel({.line = {{100, 500}, {300, 500}}, .textSize = kText}, landed, kViewport);
   REQUIRE(box);
   CHECK(box->center().y == Approx(500));
@@ -75,7 +75,7 @@ TEST_CASE("labels keep clear of lines, extension lines and labels that have land
   Landed landed;
   PlacedLine line = placed({{100, 100}, {100, 200}}, Box2{{80, 140}, {120, 160}});
   line.extensionStart = {{300, 100}, {100, 100}};
-  landed.add(line);
+  landed.add(line, -1);
   CHECK_FALSE(landed.hasRoom({{98, 120}, {110, 130}}));    // on the line
   CHECK_FALSE(landed.hasRoom({{200, 97}, {240, 107}}));    // on the extension line
   CHECK_FALSE(landed.hasRoom({{122, 145}, {140, 155}}));   // 2 px beside the label
@@ -87,7 +87,7 @@ TEST_CASE("Intersect sees lines and extension lines crossing what has landed") {
   PlacedLine line = placed({{100, 100}, {100, 200}});
   line.extensionStart = {{300, 100}, {100, 100}};
   line.extensionEnd = {{300, 200}, {100, 200}};
-  landed.add(line);
+  landed.add(line, -1);
   CHECK(landed.crosses({{300, 120}, {300, 160}}, {{60, 120}, {60, 160}}));         // its extension lines cross the line
   CHECK(landed.crosses({{200, 50}, {220, 50}}, {{200, 150}, {220, 150}}));         // ... an extension line
   CHECK_FALSE(landed.crosses({{300, 120}, {300, 160}}, {{140, 120}, {140, 160}}));

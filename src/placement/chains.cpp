@@ -1,0 +1,107 @@
+#include "placement/chains.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "core/constants.h"
+
+namespace dimline {
+
+namespace {
+
+/// Unit vectors that differ by less than kSamePlaneAngleRad; for so small an angle the chord is the angle.
+bool sameDirection(const Vec3& a, const Vec3& b) { return glm::length(a - b) < kSamePlaneAngleRad; }
+
+Cluster* findCluster(std::vector<Cluster>& clusters, const Vec3& along, const ScopePlane& plane, const Vec3& point, double modelSizeM) {
+  for (Cluster& cluster : clusters) {
+    if (!sameDirection(cluster.along, along) || !sameDirection(cluster.plane.normal, plane.normal)) continue;
+    if (cluster.plane.inFace != plane.inFace) continue;
+    const double apartM = glm::dot(point - cluster.members.front().segment.start, cluster.plane.normal);
+    if (std::abs(apartM) <= kSamePlaneDistance * modelSizeM) return &cluster;
+  }
+  return nullptr;
+}
+
+/// The rectangle around the members, and each member's place in it.
+void measure(Cluster& cluster) {
+  const Vec3 origin = cluster.members.front().segment.start;
+  const auto alongOf = [&](const Vec3& p) { return glm::dot(p - origin, cluster.along); };
+  const auto acrossOf = [&](const ChainMember& m) { return glm::dot(m.segment.start - origin, cluster.plane.across); };
+  double fromM = std::numeric_limits<double>::infinity();
+  double toM = -fromM;
+  double lowM = fromM;
+  double highM = -fromM;
+  for (const ChainMember& m : cluster.members) {
+    fromM = std::min(fromM, alongOf(m.segment.start));
+    toM = std::max(toM, alongOf(m.segment.end));
+    lowM = std::min(lowM, acrossOf(m));
+    highM = std::max(highM, acrossOf(m));
+  }
+  for (std::size_t side = 0; side < 2; ++side) {
+    const Vec3 foot = origin + cluster.plane.across * (side == 0 ? lowM : highM);
+    cluster.sides[side] = {foot + cluster.along * fromM, foot + cluster.along * toM};
+    auto& order = cluster.nearestFirst[side];
+    order.resize(cluster.members.size());
+    std::iota(order.begin(), order.end(), 0U);
+    // Equally near members keep the order of their making: from the model's description, the same in every build of it.
+    std::ranges::stable_sort(order, {}, [&](std::uint32_t i) {
+      const double across = acrossOf(cluster.members[i]);
+      return side == 0 ? across - lowM : highM - across;
+    });
+  }
+  for (ChainMember& m : cluster.members) {
+    m.fromM = alongOf(m.segment.start) - fromM;
+    m.toM = alongOf(m.segment.end) - fromM;
+  }
+}
+
+}  // namespace
+
+std::vector<Cluster> clusterBaseLines(const Annotation& annotation, std::span<const Scope> scopes,
+                                      std::span<const std::size_t> measuredScopes, double modelSizeM) {
+  std::vector<Cluster> clusters;
+  if (annotation.type != HandleType::kLinearContour && annotation.type != HandleType::kLinearCenter) return clusters;
+  const View anyView;   // the linear types do not look at it
+  for (const std::size_t scope : measuredScopes) {
+    for (const BaseLine& line : baseLines(annotation, scopes[scope].box, anyView)) {
+      const double lengthM = line.segment.length();
+      if (!(lengthM > 0)) continue;
+      const Vec3 along = (line.segment.end - line.segment.start) / lengthM;
+      for (const ScopePlane& plane : line.scopePlanes) {
+        Cluster* cluster = findCluster(clusters, along, plane, line.segment.start, modelSizeM);
+        if (cluster == nullptr) {
+          cluster = &clusters.emplace_back();
+          cluster->along = along;
+          cluster->plane = plane;
+        }
+        cluster->members.push_back({.scope = scope, .segment = line.segment});
+      }
+    }
+  }
+  for (Cluster& cluster : clusters) measure(cluster);
+  return clusters;
+}
+
+BaseLine chainBaseLine(const Cluster& cluster, int side) {
+  BaseLine line;
+  line.segment = cluster.sides[static_cast<std::size_t>(side)];
+  line.number = side;
+  ScopePlane plane = cluster.plane;
+  if (side == 0) plane.across = -plane.across;
+  line.scopePlanes.push_back(plane);
+  return line;
+}
+
+bool TakenStretches::free(double fromM, double toM, double toleranceM) const {
+  return std::ranges::none_of(stretches_,
+                              [&](const Stretch& s) { return fromM < s.toM - toleranceM && s.fromM < toM - toleranceM; });
+}
+
+bool TakenStretches::take(double fromM, double toM, double toleranceM) {
+  if (!free(fromM, toM, toleranceM)) return false;
+  add(fromM, toM);
+  return true;
+}
+
+}  // namespace dimline

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "model/scene.h"
+#include "placement/base_lines.h"
+
+namespace dimline {
+
+/// A base line as a member of a chain.
+struct ChainMember {
+  std::size_t scope = 0;      ///< index into Scene::scopes
+  Segment segment;
+  double fromM = 0, toM = 0;  ///< its stretch along the cluster's direction, counted from `Cluster::sides[…].start`; fromM < toM
+};
+
+/// Base lines of one parameter that run in one direction in one plane (paper 4.3 and figure 13), and the rectangle that holds them.
+///
+///       side 1  - - - - - - - - - ->   across
+///               ->   ->     ->            ^
+///               ->   ->                   |
+///       side 0  - - - - - - - - - ->      +--> along
+struct Cluster {
+  Vec3 along{0.0};
+  ScopePlane plane;                 ///< `across` is the direction from side 0 to side 1
+  std::vector<ChainMember> members;
+  std::array<Segment, 2> sides;     ///< the chain base lines: the rectangle's two sides along the members
+  /// For each side the members' indices, nearest to that side first: in this order they are projected.
+  std::array<std::vector<std::uint32_t>, 2> nearestFirst;
+};
+
+/// Clusters the base lines of a parameter by direction and plane. Each base line is in as many clusters as it has scope planes. Only base lines that
+/// are the same for all views can be clustered, so the linear types alone give clusters. `modelSizeM` scales kSamePlaneDistance.
+std::vector<Cluster> clusterBaseLines(const Annotation& annotation, std::span<const Scope> scopes,
+                                      std::span<const std::size_t> measuredScopes, double modelSizeM);
+
+/// The chain base line of a side, as a base line that slips away from the members.
+BaseLine chainBaseLine(const Cluster& cluster, int side);
+
+/// Stretches of a line that are taken, in metres along it.
+class TakenStretches {
+ public:
+  void clear() { stretches_.clear(); }
+  /// Takes [from, to] when it overlaps nothing by more than `toleranceM`; touching ends are no overlap.
+  bool take(double fromM, double toM, double toleranceM);
+  [[nodiscard]] bool free(double fromM, double toM, double toleranceM) const;
+  void add(double fromM, double toM) { stretches_.push_back({fromM, toM}); }
+
+ private:
+  struct Stretch {
+    double fromM, toM;
+  };
+  std::vector<Stretch> stretches_;
+};
+
+}  // namespace dimline

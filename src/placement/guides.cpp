@@ -1,0 +1,24 @@
+#include "placement/guides.h"
+
+#include <cmath>
+
+namespace dimline {
+
+int Guides::add(const Plane& plane, const Segment& line) {
+  if (count_ == guides_.size()) guides_.emplace_back();
+  Guide& guide = guides_[count_];
+  guide.plane = plane;
+  guide.point = line.start;
+  guide.along = glm::normalize(line.end - line.start);
+  guide.taken.clear();
+  return static_cast<int>(count_++);
+}
+
+bool liesOn(const Guide& guide, const Plane& plane, const Vec3& alongUnit, double modelSizeM) {
+  // For unit vectors the cross product's length is the sine of the angle, whichever way round they run.
+  if (glm::length(glm::cross(guide.along, alongUnit)) > kSamePlaneAngleRad) return false;
+  if (glm::length(glm::cross(guide.plane.normal, plane.normal)) > kSamePlaneAngleRad) return false;
+  return std::abs(glm::dot(guide.point - plane.point, plane.normal)) <= kSamePlaneDistance * modelSizeM;
+}
+
+}  // namespace dimline
