@@ -166,14 +166,20 @@ private:
   }
 };
 
-bool selfCrossing(const Ring& ring) {
+/// Whether two edges that are not neighbours meet. Touching counts: a ring that was offset so far that two of its sides lie in one line
+/// has no inside there.
+bool meetsItself(const Ring& ring) {
+  const auto apart = [](double a, double b, double c, double d) {
+    return std::max(a, b) < std::min(c, d) || std::max(c, d) < std::min(a, b);
+  };
   const std::size_t n = ring.size();
   for (std::size_t i = 0; i < n; ++i) {
     const Vec2 a = ring[i], b = ring[(i + 1) % n];
     for (std::size_t k = i + 2; k < n; ++k) {
       if (i == 0 && k == n - 1) continue;
       const Vec2 c = ring[k], d = ring[(k + 1) % n];
-      if (turn(a, b, c) * turn(a, b, d) < 0 && turn(c, d, a) * turn(c, d, b) < 0) return true;
+      if (apart(a.x, b.x, c.x, d.x) || apart(a.y, b.y, c.y, d.y)) continue;
+      if (turn(a, b, c) * turn(a, b, d) <= 0 && turn(c, d, a) * turn(c, d, b) <= 0) return true;
     }
   }
   return false;
@@ -249,7 +255,7 @@ Ring offset(std::span<const Vec2> input, double distanceM) {
     if (ring.size() == n) break;
   }
   dropRepeated(ring, nearM);
-  if (ring.size() < 3 || signedArea(ring) <= 0 || selfCrossing(ring)) return {};
+  if (ring.size() < 3 || signedArea(ring) <= 0 || meetsItself(ring)) return {};
   return ring;
 }
 
