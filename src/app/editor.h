@@ -1,15 +1,19 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "core/result.h"
 #include "math/camera.h"
 #include "model/model.h"
 #include "placement/layout.h"
+#include "silhouette/distance_fields.h"
 
 namespace dimline {
 
@@ -67,6 +71,7 @@ class Editor {
   /// CSS pixels (fractions allowed) and device pixels per CSS pixel. A viewport of no size draws and places nothing, and loses nothing.
   void resize(double widthPx, double heightPx, double devicePixelRatio);
   [[nodiscard]] const Camera& camera() const;
+  [[nodiscard]] bool orthographic() const { return camera().orthographic(); }
   Status setCamera(const Camera& camera);
   void fitToView();
   void setStandardView(StandardView view);
@@ -104,6 +109,14 @@ class Editor {
     bool dragged = false;
   };
   [[nodiscard]] std::span<const LineState> lineStates() const;
+  /// A line that has gone from layout() and is still fading, with the rest of its opacity; for hosts that draw labels themselves.
+  struct FadingLine {
+    PlacedLine line;
+    double opacity = 0;
+  };
+  [[nodiscard]] std::vector<FadingLine> fadingLines() const;
+  /// For people who asked their system for less motion: lines change place at once.
+  void setReducedMotion(bool reduced);
   /// What happened since the last call.
   std::vector<EditorEvent> takeEvents();
 
@@ -111,6 +124,11 @@ class Editor {
   /// Which producer measures the fields; kAuto measures both on this machine and takes the faster.
   void setFieldsFrom(FieldsFrom from);
   [[nodiscard]] FieldsFrom fieldsFrom() const;
+  /// For tests and diagnosis: the present view's fields, measured by one producer while the caller waits. Nothing without a model or a size, or when it is the
+  /// GPU's turn and no renderer is attached.
+  [[nodiscard]] std::optional<DistanceFields> measureFields(FieldsFrom from);
+  /// The producer that measures at present: kCpu or kGpu.
+  [[nodiscard]] FieldsFrom fieldsMeasuredBy() const;
   struct Timings {
     double rebuildMs = 0, fieldsMs = 0, placeMs = 0, drawMs = 0;
   };

@@ -1,0 +1,237 @@
+#include "app/editor.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include "app/editor_state.h"
+
+namespace dimline {
+
+namespace {
+
+// Beyond these a host's numbers are a mistake, and a framebuffer of that size no good to anybody.
+constexpr double kMaxSizePx = 16384.0;
+constexpr double kMinPixelRatio = 0.1;
+constexpr double kMaxPixelRatio = 8.0;
+
+/// Unit direction from the target to the eye.
+Vec3 directionOf(StandardView view) {
+  switch (view) {
+    case StandardView::kFront: return {0, 0, 1};
+    case StandardView::kBack: return {0, 0, -1};
+    case StandardView::kLeft: return {-1, 0, 0};
+    case StandardView::kRight: return {1, 0, 0};
+    case StandardView::kTop: return {0, 1, 0};
+    case StandardView::kThreeQuarter: break;
+  }
+  const Camera camera = threeQuarterView(Bounds{}, 1, 1);
+  return glm::normalize(camera.eye - camera.target);
+}
+
+}  // namespace
+
+Editor::Editor() : state_(std::make_unique<State>()) {}
+Editor::~Editor() = default;
+
+// --- Document ---------------------------------------------------------------------------------------------------------
+
+Status Editor::setModel(Model model) {
+  State& s = *state_;
+  if (!model.definition.build || model.annotations.size() != model.definition.parameters.size()) {
+    return Error{"This model has no rule that builds it, or was not made by makeModel()."};
+  }
+  s.dropGestures();
+  s.continuing.reset();
+  s.history.clear();
+  s.model = std::move(model);
+  s.values = Values(s.model.parameters());
+  s.loaded = true;
+  s.placer.forget();
+  s.fieldSource.forgetTimes();
+  s.clearLines();
+  s.hovered.reset();
+  s.hoveredBefore.reset();
+  s.rebuild();
+  s.openingCamera();
+  s.notify(EditorEvent::kLoad);
+  return okStatus();
+}
+
+const Model& Editor::model() const { return state_->model; }
+const Values& Editor::values() const { return state_->values; }
+const Scene& Editor::scene() const { return state_->scene; }
+
+void Editor::setValues(std::span<const std::pair<std::size_t, double>> changes) {
+  State& s = *state_;
+  s.finishEdits();
+  Values next = s.values;
+  for (const auto& [parameter, value] : changes) {
+    assert(parameter < next.size());
+    next.set(parameter, clampValue(s.model.parameters()[parameter], value));
+  }
+  const Values before = s.values;
+  if (!s.assign(next)) return;
+  s.history.record(before);
+  s.notify(EditorEvent::kChange);
+}
+
+void Editor::setValueContinuous(std::size_t parameter, double value) {
+  State& s = *state_;
+  assert(parameter < s.values.size());
+  if (s.drag) s.finishEdits();
+  if (!s.continuing) s.continuing = s.values;
+  Values next = s.values;
+  next.set(parameter, clampValue(s.model.parameters()[parameter], value));
+  s.assign(next);
+}
+
+void Editor::endContinuous() {
+  if (state_->continuing) state_->finishEdits();
+}
+
+void Editor::undo() {
+  State& s = *state_;
+  s.finishEdits();
+  const auto previous = s.history.undo(s.values);
+  if (previous && s.assign(*previous)) s.notify(EditorEvent::kChange);
+}
+
+void Editor::redo() {
+  State& s = *state_;
+  s.finishEdits();
+  const auto next = s.history.redo(s.values);
+  if (next && s.assign(*next)) s.notify(EditorEvent::kChange);
+}
+
+bool Editor::canUndo() const {
+  const State& s = *state_;
+  return s.history.canUndo() || (s.continuing && *s.continuing != s.values) || (s.drag && s.drag->startValues() != s.values);
+}
+bool Editor::canRedo() const { return state_->history.canRedo(); }
+
+void Editor::State::notify(EditorEvent event) {
+  // A host that asks once a frame wants to know that something moved, not how often.
+  const bool repeats = event == EditorEvent::kInput || event == EditorEvent::kCameraChange;
+  if (repeats && !events.empty() && events.back() == event) return;
+  events.push_back(event);
+}
+
+/// Makes `next` the present values. False when they are already.
+bool Editor::State::assign(const Values& next) {
+  if (next == values) return false;
+  values = next;
+  sceneStale = true;
+  notify(EditorEvent::kInput);
+  return true;
+}
+
+/// Ends whatever edit is under way, as letting go would, so that another one can begin.
+void Editor::State::finishEdits() {
+  if (drag) endHandleDrag();
+  if (!continuing) return;
+  Values before = std::move(*continuing);
+  continuing.reset();
+  if (before == values) return;
+  history.record(std::move(before));
+  notify(EditorEvent::kChange);
+}
+
+// --- Viewport and camera ----------------------------------------------------------------------------------------------
+
+void Editor::resize(double widthPx, double heightPx, double devicePixelRatio) {
+  State& s = *state_;
+  if (!std::isfinite(widthPx) || !std::isfinite(heightPx) || !std::isfinite(devicePixelRatio)) return;
+  widthPx = std::clamp(widthPx, 0.0, kMaxSizePx);
+  heightPx = std::clamp(heightPx, 0.0, kMaxSizePx);
+  devicePixelRatio = std::clamp(devicePixelRatio, kMinPixelRatio, kMaxPixelRatio);
+  if (widthPx == s.widthPx && heightPx == s.heightPx && devicePixelRatio == s.devicePixelRatio) return;
+  s.widthPx = widthPx;
+  s.heightPx = heightPx;
+  s.devicePixelRatio = devicePixelRatio;
+  s.viewStale = true;
+  s.pictureStale = true;
+  if (s.cameraUntouched && s.loaded) s.openingCamera();
+}
+
+const Camera& Editor::camera() const { return state_->camera; }
+
+Status Editor::setCamera(const Camera& camera) {
+  State& s = *state_;
+  if (Status status = validate(camera); !status) return status;
+  s.cameraGesture.reset();
+  s.moveCamera(camera);
+  return okStatus();
+}
+
+void Editor::fitToView() {
+  State& s = *state_;
+  if (!s.loaded) return;
+  s.cameraGesture.reset();
+  s.moveCamera(dimline::fitToView(s.camera, s.scene.bounds, std::max(s.widthPx, 1.0), std::max(s.heightPx, 1.0)));
+}
+
+void Editor::setStandardView(StandardView view) {
+  State& s = *state_;
+  if (!s.loaded) return;
+  s.cameraGesture.reset();
+  Camera camera = s.camera;
+  camera.up = {0, 1, 0};
+  camera.eye = camera.target + directionOf(view);
+  s.moveCamera(dimline::fitToView(camera, s.scene.bounds, std::max(s.widthPx, 1.0), std::max(s.heightPx, 1.0)));
+}
+
+void Editor::setOrthographic(bool orthographic) {
+  State& s = *state_;
+  if (orthographic == s.camera.orthographic()) return;
+  s.cameraGesture.reset();
+  const bool untouched = s.cameraUntouched;
+  s.moveCamera(withProjection(s.camera, orthographic));
+  s.cameraUntouched = untouched;
+}
+
+/// Somebody chose where the camera stands.
+void Editor::State::moveCamera(const Camera& next) {
+  if (!validate(next)) return;
+  cameraUntouched = false;
+  camera = next;
+  viewStale = true;
+  notify(EditorEvent::kCameraChange);
+}
+
+/// The view in which a model opens, in the projection of the present camera.
+void Editor::State::openingCamera() {
+  const double width = std::max(widthPx, 1.0);
+  const double height = std::max(heightPx, 1.0);
+  const bool orthographic = camera.orthographic();
+  camera = threeQuarterView(scene.bounds, hasSize() ? width : 1.0, hasSize() ? height : 1.0);
+  if (orthographic) camera = dimline::fitToView(withProjection(camera, true), scene.bounds, width, height);
+  cameraUntouched = true;
+  viewStale = true;
+  notify(EditorEvent::kCameraChange);
+}
+
+// --- What the last frame left ------------------------------------------------------------------------------------------
+
+const Layout& Editor::layout() const { return state_->drawn; }
+std::span<const Editor::LineState> Editor::lineStates() const { return state_->lineStates; }
+
+std::vector<Editor::FadingLine> Editor::fadingLines() const {
+  std::vector<FadingLine> lines;
+  for (const LineAnimator::FadingLine& line : state_->animator.fading()) lines.push_back({line.line, line.opacity});
+  return lines;
+}
+
+void Editor::setReducedMotion(bool reduced) { state_->animator.setReducedMotion(reduced); }
+
+std::vector<EditorEvent> Editor::takeEvents() { return std::exchange(state_->events, {}); }
+
+void Editor::setFieldsFrom(FieldsFrom from) {
+  state_->fieldSource.setFrom(from);
+  state_->viewStale = true;
+}
+Editor::FieldsFrom Editor::fieldsFrom() const { return state_->fieldSource.from(); }
+Editor::FieldsFrom Editor::fieldsMeasuredBy() const { return state_->fieldSource.active(state_->renderer.get()); }
+const Editor::Timings& Editor::timings() const { return state_->timings; }
+
+}  // namespace dimline

@@ -1,0 +1,150 @@
+#include <algorithm>
+#include <cmath>
+
+#include "app/editor_state.h"
+#include "app/stopwatch.h"
+
+namespace dimline {
+
+namespace {
+
+/// ms. A handle grows under the pointer, and shrinks again, in this time; by this factor (paper 5, "Hover behavior").
+constexpr double kHoverMs = 100.0;
+constexpr double kHoverScale = 1.35;
+
+}  // namespace
+
+bool Editor::frame(double nowMs) {
+  State& s = *state_;
+  if (std::isfinite(nowMs)) s.nowMs = std::max(s.nowMs, nowMs);
+  if (!s.loaded) return false;
+  if (s.sceneStale) s.rebuild();
+  if (!s.hasSize()) {
+    s.clearLines();
+    return false;
+  }
+  const View view = s.currentView();
+  s.measureAndPlace(view);
+  s.animate(view);
+  s.paceQuality();
+  s.draw(view);
+  return !atRest();
+}
+
+bool Editor::atRest() const {
+  const State& s = *state_;
+  if (!s.loaded) return true;
+  if (s.sceneStale) return false;
+  if (!s.hasSize()) return true;
+  return !s.viewStale && s.fieldSource.current() && !s.fieldSource.pending() && s.animator.atRest() && !s.hoverAnimating() &&
+         !s.wantsBetterPicture() && !(s.renderer && s.pictureStale);
+}
+
+void Editor::State::rebuild() {
+  const Stopwatch watch;
+  scene = model.definition.build(values);
+  placer.setScene(model, scene);
+  fieldSource.setScene(scene);
+  sceneStale = false;
+  viewStale = true;
+  rendererSceneStale = true;
+  timings.rebuildMs = watch.ms();
+}
+
+/// Fields for the view, from whichever producer, and the lines placed in them when anything has changed.
+void Editor::State::measureAndPlace(const View& view) {
+  if (renderer && rendererSceneStale) {
+    if (Status status = renderer->setScene(scene); !status) renderer.reset();
+    rendererSceneStale = false;
+    pictureStale = true;
+  }
+  const bool moved = std::exchange(viewStale, false);
+  const bool arrived = fieldSource.update(view, moved, devicePixelRatio, renderer.get());
+  if (arrived) {
+    timings.fieldsMs = fieldSource.measuredMs();
+    placeOn(fieldSource.view());
+  } else if (moved && placedOnce && fieldSource.fields().widthPx == static_cast<int>(std::ceil(widthPx)) &&
+             fieldSource.fields().heightPx == static_cast<int>(std::ceil(heightPx))) {
+    // The fields are still on their way. Base lines of a rebuilt model must not wait for them, so the last ones serve once more.
+    placeOn(fieldSource.view());
+  }
+}
+
+void Editor::State::placeOn(const View& view) {
+  const Stopwatch watch;
+  visibility.measure(scene, view, scopesSeen);
+  placer.place(view, fieldSource.fields(), &scopesSeen, values, placed);
+  holdDraggedLine(view);
+  timings.placeMs = watch.ms();
+  placedOnce = true;
+  pictureStale = true;
+}
+
+/// While a handle is dragged its line keeps its carrier, whatever the placer would prefer.
+void Editor::State::holdDraggedLine(const View& view) {
+  if (!drag) return;
+  const PlacedLine& start = drag->startLine();
+  auto line = drag->lineOn(scene, values, view);
+  const auto isDragged = [&](const PlacedLine& other) {
+    return other.parameter == start.parameter && (start.chain < 0 || (line && other.scope == line->scope));
+  };
+  const auto found = std::ranges::find_if(placed.lines, isDragged);
+  if (!line) return;
+  if (found != placed.lines.end()) {
+    *found = std::move(*line);
+  } else {
+    std::erase_if(placed.hidden, [&](const HiddenParameter& hidden) { return hidden.parameter == start.parameter; });
+    placed.lines.push_back(std::move(*line));
+  }
+}
+
+void Editor::State::animate(const View& view) {
+  if (!placedOnce) return;
+  const bool wasAtRest = animator.atRest();
+  const bool sameView = drawn.view.viewProjection() == view.viewProjection() && drawn.view.widthPx() == view.widthPx() &&
+                        drawn.view.heightPx() == view.heightPx();
+  animator.update(placed, scene.scopes, view, nowMs, drawn);
+  updateHover();
+
+  lineStates.resize(drawn.lines.size());
+  handleScales.resize(drawn.lines.size());
+  const double hoverShare = std::clamp((nowMs - hoverChangedMs) / kHoverMs, 0.0, 1.0);
+  for (std::size_t i = 0; i < drawn.lines.size(); ++i) {
+    const PlacedLine& line = drawn.lines[i];
+    const auto isOf = [&](const std::optional<HandleKey>& key) {
+      return key && (*key == keyOf(line, true) || *key == keyOf(line, false));
+    };
+    const bool dragged = drag && line.parameter == drag->parameter() && (line.chain < 0 || line.identity == drag->startLine().identity);
+    lineStates[i] = {animator.opacities()[i], isOf(hovered), dragged};
+    const double grown = dragged ? 1.0 : isOf(hovered) ? hoverShare : isOf(hoveredBefore) ? 1.0 - hoverShare : 0.0;
+    handleScales[i] = static_cast<float>(1.0 + (kHoverScale - 1.0) * grown);
+  }
+  if (!wasAtRest || !animator.atRest() || !sameView || hoverAnimating()) pictureStale = true;
+}
+
+bool Editor::State::hoverAnimating() const { return (hovered || hoveredBefore) && nowMs - hoverChangedMs < kHoverMs; }
+
+/// No lines, and none remembered: the next ones appear without animation.
+void Editor::State::clearLines() {
+  animator.reset();
+  placed = {};
+  drawn = {};
+  lineStates.clear();
+  handleScales.clear();
+  placedOnce = false;
+  viewStale = true;
+}
+
+std::optional<DistanceFields> Editor::measureFields(FieldsFrom from) {
+  State& s = *state_;
+  if (!s.loaded || !s.hasSize()) return std::nullopt;
+  if (s.sceneStale) s.rebuild();
+  if (s.renderer && s.rendererSceneStale) {
+    if (Status status = s.renderer->setScene(s.scene); !status) return std::nullopt;
+    s.rendererSceneStale = false;
+    s.pictureStale = true;
+  }
+  return s.fieldSource.measure(s.currentView(), from, s.devicePixelRatio, s.renderer.get());
+}
+
+}  // namespace dimline

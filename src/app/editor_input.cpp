@@ -1,0 +1,258 @@
+#include <cmath>
+
+#include "app/editor_state.h"
+#include "app/ray_cast.h"
+
+// A gesture belongs to the pointer that began it; other pointers do nothing until it ends, but for a second finger, which turns an orbit into a pan and
+// zoom. Every movement is computed from the gesture's start.
+
+namespace dimline {
+
+namespace {
+
+/// px. Two fingers nearer than this say nothing about their distance.
+constexpr double kLeastFingerSpanPx = 10.0;
+
+/// Browsers report a pinch on a track pad as a wheel with ctrl and deltas of a few pixels (three.js scales them alike); a wheel's notch is about 100.
+constexpr double kPinchScale = 10.0;
+constexpr double kMostPinchPx = 30.0;
+constexpr double kMostWheelPx = 400.0;
+
+bool finite(const Vec2& v) { return std::isfinite(v.x) && std::isfinite(v.y); }
+
+CameraGesture::Kind kindFor(const PointerInput& input) {
+  const bool modified = input.modifiers.ctrl || input.modifiers.meta || input.modifiers.shift;
+  if (input.button == PointerButton::kMiddle) return CameraGesture::Kind::kZoom;
+  if (input.button == PointerButton::kSecondary) return modified ? CameraGesture::Kind::kOrbit : CameraGesture::Kind::kPan;
+  return modified ? CameraGesture::Kind::kPan : CameraGesture::Kind::kOrbit;
+}
+
+}  // namespace
+
+PointerTarget Editor::pointerDown(const PointerInput& input) {
+  State& s = *state_;
+  if (!finite(input.screen) || !s.loaded || !s.hasSize()) return PointerTarget::kNothing;
+  if (s.drag) return PointerTarget::kNothing;
+  if (s.cameraGesture) {
+    const bool secondFinger = input.kind == PointerKind::kTouch && s.cameraGesture->pointerKind == PointerKind::kTouch &&
+                              s.cameraGesture->kind != CameraGesture::Kind::kTwoFingers && input.id != s.cameraGesture->first.id;
+    if (!secondFinger) return PointerTarget::kNothing;
+    s.addFinger(input);
+    return PointerTarget::kCamera;
+  }
+  if (input.button == PointerButton::kPrimary && s.beginHandleDrag(input)) return PointerTarget::kHandle;
+  s.beginCameraGesture(input);
+  return PointerTarget::kCamera;
+}
+
+PointerTarget Editor::pointerMove(const PointerInput& input) {
+  State& s = *state_;
+  if (s.drag && input.id == s.dragPointer) {
+    if (finite(input.screen)) s.moveHandle(input.screen);
+    return PointerTarget::kHandle;
+  }
+  if (s.cameraGesture) {
+    CameraGesture& gesture = *s.cameraGesture;
+    CameraGesture::Pointer* pointer = input.id == gesture.first.id ? &gesture.first : nullptr;
+    if (gesture.kind == CameraGesture::Kind::kTwoFingers && input.id == gesture.second.id) pointer = &gesture.second;
+    if (pointer == nullptr) return PointerTarget::kNothing;
+    if (finite(input.screen) && pointer->now != input.screen) {
+      pointer->now = input.screen;
+      s.moveCameraGesture();
+    }
+    return PointerTarget::kCamera;
+  }
+  return PointerTarget::kNothing;
+}
+
+void Editor::pointerUp(const PointerInput& input) {
+  State& s = *state_;
+  pointerMove(input);
+  if (s.drag && input.id == s.dragPointer) s.endHandleDrag();
+  if (s.cameraGesture) s.endCameraPointer(input.id);
+}
+
+void Editor::cancelGesture() {
+  State& s = *state_;
+  if (s.drag) {
+    const Values before = s.drag->startValues();
+    s.drag.reset();
+    s.viewStale = true;
+    s.assign(before);
+  }
+  if (s.cameraGesture) {
+    const Camera before = s.cameraGesture->restore;
+    s.cameraGesture.reset();
+    s.moveCamera(before);
+  }
+}
+
+void Editor::wheel(const Vec2& screen, double deltaPx, const Modifiers& modifiers) {
+  State& s = *state_;
+  if (!finite(screen) || !std::isfinite(deltaPx) || !s.loaded || !s.hasSize() || s.drag || s.cameraGesture) return;
+  double delta = std::clamp(deltaPx, -kMostWheelPx, kMostWheelPx);
+  if (modifiers.ctrl && std::abs(delta) <= kMostPinchPx) delta *= kPinchScale;
+  s.moveCamera(zoom(s.camera, wheelZoomFactor(delta), s.pivotUnder(screen), cameraLimits(s.scene.bounds)));
+}
+
+PointerTarget Editor::hover(const PointerInput& input) {
+  State& s = *state_;
+  if (!finite(input.screen)) return PointerTarget::kNothing;
+  s.hoverAt = input;
+  s.updateHover();
+  return s.hovered ? PointerTarget::kHandle : PointerTarget::kNothing;
+}
+
+void Editor::endHover() {
+  state_->hoverAt.reset();
+  state_->updateHover();
+}
+
+// --- Handles ----------------------------------------------------------------------------------------------------------
+
+std::optional<HandleRef> Editor::State::handleAt(const PointerInput& input) const {
+  const double radius = input.kind == PointerKind::kTouch ? kGrabRadiusTouchPx : kGrabRadiusMousePx;
+  return hitHandle(drawn.lines, input.screen, radius);
+}
+
+HandleKey Editor::State::keyOf(const PlacedLine& line, bool atEnd) const {
+  return {line.parameter, line.scope < scene.scopes.size() ? scene.scopes[line.scope].index : 0, atEnd};
+}
+
+/// The line as placed that is drawn, perhaps half way, as `drawnLine`.
+const PlacedLine* Editor::State::placedLineLike(const PlacedLine& drawnLine) const {
+  for (const PlacedLine& line : placed.lines) {
+    if (line.parameter == drawnLine.parameter && line.scope == drawnLine.scope) return &line;
+  }
+  return nullptr;
+}
+
+/// Takes hold of the handle under the pointer, if there is one.
+bool Editor::State::beginHandleDrag(const PointerInput& input) {
+  const auto hit = handleAt(input);
+  if (!hit) return false;
+  finishEdits();
+  const Handle& grabbed = drawn.lines[hit->line].handles[hit->handle];
+  // A line that still glides is taken where it is going to, so that nobody edits with a line that has no place.
+  const PlacedLine* line = placedLineLike(drawn.lines[hit->line]);
+  if (line == nullptr || sceneStale) return false;
+  const Vec2 offset = input.screen - grabbed.screen;
+  const View view = currentView();
+  Handle handle = grabbed;
+  handle.screen = view.toScreen(handle.atEnd ? line->line.end : line->line.start);
+  drag = HandleDrag::begin(model, values, scene, *line, handle, handle.screen + offset, view);
+  if (!drag) return false;
+  dragPointer = input.id;
+  hoverAt.reset();
+  updateHover();
+  viewStale = true;
+  return true;
+}
+
+void Editor::State::moveHandle(const Vec2& screen) {
+  if (!hasSize()) return;
+  Values next = drag->startValues();
+  next.set(drag->parameter(), drag->valueAt(screen, currentView()));
+  assign(next);
+}
+
+void Editor::State::endHandleDrag() {
+  const Values before = drag->startValues();
+  drag.reset();
+  viewStale = true;   // the line is free to find its place again
+  if (before == values) return;
+  history.record(before);
+  notify(EditorEvent::kChange);
+}
+
+/// Marks what the pointer rests on, in the lines as they are now.
+void Editor::State::updateHover() {
+  std::optional<HandleKey> now;
+  if (hoverAt && !drag && !cameraGesture) {
+    if (const auto hit = handleAt(*hoverAt)) {
+      const PlacedLine& line = drawn.lines[hit->line];
+      now = keyOf(line, line.handles[hit->handle].atEnd);
+    }
+  }
+  if (now == hovered) return;
+  hoveredBefore = hovered;
+  hovered = now;
+  hoverChangedMs = nowMs;
+  pictureStale = true;
+}
+
+// --- Camera -----------------------------------------------------------------------------------------------------------
+
+void Editor::State::beginCameraGesture(const PointerInput& input) {
+  CameraGesture gesture;
+  gesture.kind = input.kind == PointerKind::kTouch ? CameraGesture::Kind::kOrbit : kindFor(input);
+  gesture.pointerKind = input.kind;
+  gesture.restore = gesture.start = camera;
+  gesture.first = {input.id, input.screen, input.screen};
+  if (gesture.kind == CameraGesture::Kind::kZoom) gesture.pivot = pivotUnder(input.screen);
+  cameraGesture = gesture;
+  updateHover();
+}
+
+/// A second finger: from here on both together pan and zoom.
+void Editor::State::addFinger(const PointerInput& input) {
+  CameraGesture& gesture = *cameraGesture;
+  gesture.kind = CameraGesture::Kind::kTwoFingers;
+  gesture.start = camera;
+  gesture.first.start = gesture.first.now;
+  gesture.second = {input.id, input.screen, input.screen};
+  gesture.pivot = pointAtTargetDepth(currentView(), 0.5 * (gesture.first.start + gesture.second.start));
+}
+
+void Editor::State::moveCameraGesture() {
+  if (!hasSize()) return;
+  CameraGesture& gesture = *cameraGesture;
+  const CameraLimits limits = cameraLimits(scene.bounds);
+  const Vec2 travel = gesture.first.now - gesture.first.start;
+  switch (gesture.kind) {
+    case CameraGesture::Kind::kOrbit: {
+      const OrbitMove move = orbit(gesture.start, travel, heightPx);
+      gesture.first.start.y += move.overrunPx;
+      moveCamera(move.camera);
+      break;
+    }
+    case CameraGesture::Kind::kPan: moveCamera(pan(gesture.start, travel, heightPx, limits)); break;
+    case CameraGesture::Kind::kZoom: moveCamera(zoom(gesture.start, dragZoomFactor(travel.y), gesture.pivot, limits)); break;
+    case CameraGesture::Kind::kTwoFingers: {
+      const double spanBefore = std::max(glm::length(gesture.second.start - gesture.first.start), kLeastFingerSpanPx);
+      const double span = std::max(glm::length(gesture.second.now - gesture.first.now), kLeastFingerSpanPx);
+      const Vec2 middleTravel = 0.5 * (travel + gesture.second.now - gesture.second.start);
+      moveCamera(pan(zoom(gesture.start, spanBefore / span, gesture.pivot, limits), middleTravel, heightPx, limits));
+      break;
+    }
+  }
+}
+
+/// One pointer was lifted. Of two fingers the other one goes on, orbiting.
+void Editor::State::endCameraPointer(int id) {
+  CameraGesture& gesture = *cameraGesture;
+  if (gesture.kind == CameraGesture::Kind::kTwoFingers && (id == gesture.first.id || id == gesture.second.id)) {
+    if (id == gesture.first.id) gesture.first = gesture.second;
+    gesture.kind = CameraGesture::Kind::kOrbit;
+    gesture.start = camera;
+    gesture.first.start = gesture.first.now;
+    return;
+  }
+  if (id == gesture.first.id) cameraGesture.reset();
+}
+
+void Editor::State::dropGestures() {
+  drag.reset();
+  cameraGesture.reset();
+}
+
+/// The point about which a zoom at this pixel turns nearer or farther: on the model's surface where there is any.
+Vec3 Editor::State::pivotUnder(const Vec2& screen) const {
+  const View view = currentView();
+  if (const auto hit = castRay(scene, view.rayThrough(screen), view.orthographic() ? -std::numeric_limits<double>::infinity() : view.nearM())) {
+    return *hit;
+  }
+  return pointAtTargetDepth(view, screen);
+}
+
+}  // namespace dimline

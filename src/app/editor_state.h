@@ -1,0 +1,140 @@
+#pragma once
+
+#include <optional>
+
+#include "app/editor.h"
+#include "app/field_source.h"
+#include "app/line_animator.h"
+#include "app/orbit_controls.h"
+#include "editing/handle_drag.h"
+#include "editing/handle_hit.h"
+#include "editing/undo_history.h"
+#include "placement/placer.h"
+#include "render/renderer.h"
+#include "silhouette/scope_visibility.h"
+
+// What an Editor is made of; private to the editor's own files. editor.cpp keeps the document, its viewport and its camera, editor_input.cpp turns
+// pointers into gestures, editor_frame.cpp makes frames, editor_draw.cpp draws them.
+
+namespace dimline {
+
+/// Which handle, by what stays the same when lines are placed anew.
+struct HandleKey {
+  std::size_t parameter = 0;
+  std::uint32_t scopeIndex = 0;
+  bool atEnd = true;
+  bool operator==(const HandleKey&) const = default;
+};
+
+/// A camera being moved by one pointer, or two fingers.
+struct CameraGesture {
+  enum class Kind : std::uint8_t { kOrbit, kPan, kZoom, kTwoFingers } kind = Kind::kOrbit;
+  struct Pointer {
+    int id = 0;
+    Vec2 start{0.0};
+    Vec2 now{0.0};
+  };
+  PointerKind pointerKind = PointerKind::kMouse;
+  Camera restore;       ///< what cancelling restores
+  Camera start;         ///< what the pointers' travel is counted from
+  Vec3 pivot{0.0};      ///< of a zoom
+  Pointer first, second;
+};
+
+/// Whether frames come too slowly while things move, and what quality that calls for.
+struct QualityGovernor {
+  bool slow = false;
+  double intervalMs = 0;        ///< between frames while something moves, smoothed
+  double lastFrameMs = 0;
+  double lastMotionMs = 0;
+  bool hadFrame = false;
+};
+
+struct Editor::State {
+  // --- Document ---
+  bool loaded = false;
+  Model model;
+  Values values;
+  Scene scene;
+  bool sceneStale = false;              ///< values changed since `scene` was built
+  UndoHistory history;
+  std::optional<Values> continuing;     ///< values before a continuous edit that has not ended
+  std::vector<EditorEvent> events;
+
+  // --- Viewport and camera ---
+  double widthPx = 0, heightPx = 0, devicePixelRatio = 1;
+  Camera camera;
+  bool cameraUntouched = true;          ///< nobody chose it: it is fitted anew when the viewport gets its size
+  bool viewStale = true;                ///< camera, viewport or scene changed since fields were asked for
+
+  // --- Gestures ---
+  std::optional<HandleDrag> drag;
+  int dragPointer = 0;
+  std::optional<CameraGesture> cameraGesture;
+  std::optional<PointerInput> hoverAt;
+  std::optional<HandleKey> hovered, hoveredBefore;
+  double hoverChangedMs = 0;
+
+  // --- Frames ---
+  double nowMs = 0;
+  FieldSource fieldSource;
+  CpuVisibility visibility;
+  ScopeVisibility scopesSeen;
+  Placer placer;
+  Layout placed;                        ///< as the placer gave it, with the dragged line held
+  Layout drawn;
+  LineAnimator animator;
+  std::vector<LineState> lineStates;
+  std::vector<float> handleScales;      ///< parallel to lineStates
+  bool placedOnce = false;
+  Timings timings;
+
+  // --- Drawing ---
+  std::unique_ptr<Renderer> renderer;
+  bool rendererSceneStale = true;
+  bool pictureStale = true;             ///< what was drawn last is not what should be seen now
+  RenderQuality drawnQuality = RenderQuality::kFull;
+  QualityGovernor quality;
+  std::vector<OverlayLine> overlay;
+
+  // editor.cpp
+  [[nodiscard]] bool hasSize() const { return widthPx >= 1 && heightPx >= 1; }
+  [[nodiscard]] View currentView() const { return {camera, widthPx, heightPx, scene.bounds}; }
+  void notify(EditorEvent event);
+  bool assign(const Values& next);
+  void finishEdits();
+  void moveCamera(const Camera& next);
+  void openingCamera();
+
+  // editor_input.cpp
+  [[nodiscard]] std::optional<HandleRef> handleAt(const PointerInput& input) const;
+  [[nodiscard]] HandleKey keyOf(const PlacedLine& line, bool atEnd) const;
+  [[nodiscard]] const PlacedLine* placedLineLike(const PlacedLine& drawnLine) const;
+  bool beginHandleDrag(const PointerInput& input);
+  void beginCameraGesture(const PointerInput& input);
+  void addFinger(const PointerInput& input);
+  void moveHandle(const Vec2& screen);
+  void moveCameraGesture();
+  void endHandleDrag();
+  void endCameraPointer(int id);
+  void dropGestures();
+  void updateHover();
+  [[nodiscard]] Vec3 pivotUnder(const Vec2& screen) const;
+
+  // editor_frame.cpp
+  void rebuild();
+  void measureAndPlace(const View& view);
+  void placeOn(const View& view);
+  void holdDraggedLine(const View& view);
+  void animate(const View& view);
+  void clearLines();
+  [[nodiscard]] bool hoverAnimating() const;
+
+  // editor_draw.cpp
+  void draw(const View& view);
+  void paceQuality();
+  [[nodiscard]] bool wantsBetterPicture() const;
+  [[nodiscard]] RenderQuality wantedQuality() const;
+};
+
+}  // namespace dimline

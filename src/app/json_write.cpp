@@ -1,0 +1,150 @@
+#include "app/json.h"
+
+namespace dimline {
+
+namespace {
+
+constexpr double kDegPerRad = 57.29577951308232;
+
+bool isNumber(ParameterType type) { return type != ParameterType::kBool && type != ParameterType::kChoice; }
+
+void writePlane(JsonWriter& json, const PlacedLine& line) {
+  const bool none = line.planeKind == PlaneKind::kNone;
+  json.key("plane").beginObject();
+  json.key("kind").value(name(line.planeKind));
+  json.key("point").value(none ? line.base.start : line.plane.point);
+  json.key("normal").value(none ? Vec3(0.0) : line.plane.normal);
+  json.key("facing").value(name(line.facing));
+  json.endObject();
+}
+
+void writePolyline(JsonWriter& json, const std::vector<Vec2>& points) {
+  json.beginArray();
+  for (const Vec2& p : points) json.value(p);
+  json.endArray();
+}
+
+void writeLine(JsonWriter& json, const Model& model, const Scene& scene, const PlacedLine& line) {
+  const Parameter& parameter = model.parameters()[line.parameter];
+  const Annotation& annotation = *model.annotations[line.parameter];
+  json.beginObject();
+  json.key("parameter").value(parameter.name);
+  json.key("scope").value(annotation.scope);
+  json.key("scopeIndex").value(line.scope < scene.scopes.size() ? static_cast<int>(scene.scopes[line.scope].index) : line.identity.scopeIndex);
+  json.key("type").value(name(annotation.type));
+  json.key("slip").value(name(annotation.slip));
+  json.key("value");
+  writeValue(json, parameter, line.value);
+  json.key("text").value(line.text);
+  json.key("indirect").value(line.indirect);
+  json.key("chain");
+  line.chain >= 0 ? json.value(line.chain) : json.null();
+  json.key("placement").value(name(line.placement));
+  writePlane(json, line);
+  json.key("base").beginObject().key("world").value(line.base).key("screen").value(line.baseScreen).endObject();
+  json.key("line").beginObject().key("world").value(line.line).key("screen").value(line.lineScreen).endObject();
+  json.key("extensions").beginArray();
+  writePolyline(json, line.extensionStart);
+  writePolyline(json, line.extensionEnd);
+  json.endArray();
+  json.key("label");
+  if (line.label) {
+    json.beginObject().key("box").value(*line.label).endObject();
+  } else {
+    json.null();
+  }
+  json.key("handles").beginArray();
+  for (const Handle& handle : line.handles) {
+    json.beginObject().key("end").value(handle.atEnd ? "end" : "start").key("screen").value(handle.screen).endObject();
+  }
+  json.endArray();
+  json.key("identity").value(identityText(line.identity, model.parameters()));
+  json.endObject();
+}
+
+}  // namespace
+
+void writeValue(JsonWriter& json, const Parameter& parameter, double value) {
+  if (parameter.type == ParameterType::kBool) {
+    json.value(value >= 0.5);
+  } else if (parameter.type == ParameterType::kChoice) {
+    json.value(parameter.choices[static_cast<std::size_t>(clampValue(parameter, value))]);
+  } else {
+    json.value(value);
+  }
+}
+
+void writeParameters(JsonWriter& json, std::span<const Parameter> parameters, const Values& values) {
+  json.beginArray();
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    const Parameter& parameter = parameters[i];
+    json.beginObject();
+    json.key("name").value(parameter.name);
+    json.key("title").value(parameter.title);
+    json.key("help").value(parameter.help);
+    json.key("type").value(name(parameter.type));
+    json.key("value");
+    writeValue(json, parameter, values.at(i));
+    json.key("default");
+    writeValue(json, parameter, parameter.defaultValue);
+    for (const auto& [key, number] : {std::pair{"min", parameter.min}, std::pair{"max", parameter.max}, std::pair{"step", parameter.step}}) {
+      json.key(key);
+      isNumber(parameter.type) ? json.value(number) : json.null();
+    }
+    json.key("unit").value(name(parameter.unit));
+    json.key("choices").beginArray();
+    for (const std::string& choice : parameter.choices) json.value(choice);
+    json.endArray();
+    json.key("group").value(parameter.group);
+    json.key("annotation").value(parameter.annotation);
+    json.endObject();
+  }
+  json.endArray();
+}
+
+void writeValues(JsonWriter& json, std::span<const Parameter> parameters, const Values& values) {
+  json.beginObject();
+  for (std::size_t i = 0; i < parameters.size(); ++i) {
+    json.key(parameters[i].name);
+    writeValue(json, parameters[i], values.at(i));
+  }
+  json.endObject();
+}
+
+void writeCamera(JsonWriter& json, const Camera& camera) {
+  json.beginObject();
+  json.key("eye").value(camera.eye).key("target").value(camera.target).key("up").value(camera.up);
+  if (camera.orthoHeightM) {
+    json.key("orthoHeight").value(*camera.orthoHeightM);
+  } else {
+    json.key("fovDeg").value(camera.fovRad * kDegPerRad);
+  }
+  json.endObject();
+}
+
+void writeFrame(JsonWriter& json, const Model& model, const Scene& scene, const Layout& layout) {
+  json.beginObject();
+  json.key("size").value(Vec2(layout.view.widthPx(), layout.view.heightPx()));
+  json.key("view").value(layout.view.viewMatrix());
+  json.key("projection").value(layout.view.projectionMatrix());
+  json.key("lines").beginArray();
+  for (const PlacedLine& line : layout.lines) writeLine(json, model, scene, line);
+  json.endArray();
+  json.key("others").beginArray().endArray();
+  json.key("hidden").beginArray();
+  for (const HiddenParameter& hidden : layout.hidden) {
+    json.beginObject();
+    json.key("parameter").value(model.parameters()[hidden.parameter].name);
+    json.key("reason").value(name(hidden.reason));
+    json.endObject();
+  }
+  json.endArray();
+  json.key("visible").beginArray();
+  for (const std::size_t i : layout.visibleScopes) {
+    json.beginArray().value(scene.scopes[i].name).value(static_cast<std::size_t>(scene.scopes[i].index)).endArray();
+  }
+  json.endArray();
+  json.endObject();
+}
+
+}  // namespace dimline

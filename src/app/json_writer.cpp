@@ -1,0 +1,135 @@
+#include "app/json_writer.h"
+
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+
+namespace dimline {
+
+namespace {
+
+/// Length of the well-formed UTF-8 sequence that `text` starts with, or 0.
+std::size_t sequenceLength(std::string_view text) {
+  const auto byte = [&](std::size_t i) { return static_cast<std::uint8_t>(text[i]); };
+  const std::uint8_t lead = byte(0);
+  const std::size_t length = lead < 0x80 ? 1 : lead >= 0xC2 && lead < 0xE0 ? 2 : lead >= 0xE0 && lead < 0xF0 ? 3 : lead >= 0xF0 && lead < 0xF5 ? 4 : 0;
+  if (length == 0 || text.size() < length) return 0;
+  for (std::size_t i = 1; i < length; ++i) {
+    if ((byte(i) & 0xC0U) != 0x80) return 0;
+  }
+  // Overlong forms, surrogates and what lies past Unicode's end.
+  if ((lead == 0xE0 && byte(1) < 0xA0) || (lead == 0xED && byte(1) > 0x9F) || (lead == 0xF0 && byte(1) < 0x90) ||
+      (lead == 0xF4 && byte(1) > 0x8F)) {
+    return 0;
+  }
+  return length;
+}
+
+}  // namespace
+
+void JsonWriter::separate() {
+  if (needsComma_) text_ += ',';
+  needsComma_ = true;
+}
+
+JsonWriter& JsonWriter::beginObject() {
+  separate();
+  text_ += '{';
+  needsComma_ = false;
+  return *this;
+}
+
+JsonWriter& JsonWriter::endObject() {
+  text_ += '}';
+  needsComma_ = true;
+  return *this;
+}
+
+JsonWriter& JsonWriter::beginArray() {
+  separate();
+  text_ += '[';
+  needsComma_ = false;
+  return *this;
+}
+
+JsonWriter& JsonWriter::endArray() {
+  text_ += ']';
+  needsComma_ = true;
+  return *this;
+}
+
+JsonWriter& JsonWriter::key(std::string_view name) {
+  separate();
+  quote(name);
+  text_ += ':';
+  needsComma_ = false;
+  return *this;
+}
+
+JsonWriter& JsonWriter::value(std::string_view text) {
+  separate();
+  quote(text);
+  return *this;
+}
+
+JsonWriter& JsonWriter::value(bool flag) { return raw(flag ? "true" : "false"); }
+JsonWriter& JsonWriter::null() { return raw("null"); }
+
+JsonWriter& JsonWriter::value(double number) {
+  if (!std::isfinite(number)) return null();
+  if (number == 0.0) return raw("0");   // never "-0"
+  char buffer[32];
+  int length = 0;
+  for (const int digits : {6, 15, 16, 17}) {
+    length = std::snprintf(buffer, sizeof buffer, "%.*g", digits, number);
+    if (std::strtod(buffer, nullptr) == number) break;
+  }
+  return raw({buffer, static_cast<std::size_t>(length)});
+}
+
+JsonWriter& JsonWriter::raw(std::string_view json) {
+  separate();
+  text_ += json;
+  return *this;
+}
+
+JsonWriter& JsonWriter::value(const Vec2& v) { return beginArray().value(v.x).value(v.y).endArray(); }
+JsonWriter& JsonWriter::value(const Vec3& v) { return beginArray().value(v.x).value(v.y).value(v.z).endArray(); }
+JsonWriter& JsonWriter::value(const Segment& s) { return beginArray().value(s.start).value(s.end).endArray(); }
+JsonWriter& JsonWriter::value(const Segment2& s) { return beginArray().value(s.start).value(s.end).endArray(); }
+JsonWriter& JsonWriter::value(const Box2& b) {
+  return beginArray().value(b.min.x).value(b.min.y).value(b.max.x).value(b.max.y).endArray();
+}
+
+JsonWriter& JsonWriter::value(const Mat4& m) {
+  beginArray();
+  for (int column = 0; column < 4; ++column) {
+    for (int row = 0; row < 4; ++row) value(m[column][row]);
+  }
+  return endArray();
+}
+
+void JsonWriter::quote(std::string_view text) {
+  text_ += '"';
+  while (!text.empty()) {
+    const char c = text.front();
+    const std::size_t length = sequenceLength(text);
+    if (c == '"' || c == '\\') {
+      text_ += '\\';
+      text_ += c;
+    } else if (static_cast<std::uint8_t>(c) < 0x20) {
+      char escape[8];
+      std::snprintf(escape, sizeof escape, "\\u%04x", static_cast<unsigned>(c));
+      text_ += escape;
+    } else if (length == 0) {
+      text_ += "\xEF\xBF\xBD";
+    } else {
+      text_ += text.substr(0, length);
+    }
+    text.remove_prefix(length == 0 ? 1 : length);
+  }
+  text_ += '"';
+}
+
+}  // namespace dimline

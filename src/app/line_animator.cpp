@@ -1,0 +1,172 @@
+#include "app/line_animator.h"
+
+#include <algorithm>
+
+#include "editing/line_projection.h"
+
+namespace dimline {
+
+namespace {
+
+/// ms. Long enough to be followed, short enough not to be waited for.
+constexpr double kGlideMs = 180.0;
+constexpr double kFadeMs = 140.0;
+
+/// px. A line that stays the same one but moves against its base line by more than this from one frame to the next glides too. Below, it is the
+/// usual drift of a line that keeps its distance while the camera turns.
+constexpr double kJumpPx = 24.0;
+
+/// Fast at first: most of the way is done while the eye still turns to it.
+double easeOut(double t) {
+  const double left = 1.0 - std::clamp(t, 0.0, 1.0);
+  return 1.0 - left * left * left;
+}
+
+bool sameView(const View& a, const View& b) {
+  return a.worldToPixels() == b.worldToPixels() && a.widthPx() == b.widthPx() && a.heightPx() == b.heightPx() && a.nearM() == b.nearM();
+}
+
+Vec2 offsetPx(const PlacedLine& line) { return line.lineScreen.middle() - line.baseScreen.middle(); }
+
+Segment difference(const Segment& a, const Segment& b) { return {a.start - b.start, a.end - b.end}; }
+Segment moved(const Segment& s, const Segment& by, double share) { return {s.start + by.start * share, s.end + by.end * share}; }
+
+}  // namespace
+
+void LineAnimator::reset() {
+  tracked_.clear();
+  fading_.clear();
+  opacities_.clear();
+  fresh_ = true;
+  atRest_ = true;
+}
+
+void LineAnimator::update(const Layout& placed, std::span<const Scope> scopes, const View& view, double nowMs, Layout& drawn) {
+  const bool animate = !fresh_ && !reducedMotion_;
+  if (!animate) {
+    tracked_.clear();
+    fading_.clear();
+  }
+  match(placed, scopes, nowMs, animate, drawn);
+  fresh_ = false;
+  atRest_ = true;
+
+  const bool same = sameView(placed.view, view);
+  drawn.view = view;
+  drawn.hidden = placed.hidden;
+  drawn.visibleScopes = placed.visibleScopes;
+  drawn.lines.resize(placed.lines.size());
+  opacities_.resize(placed.lines.size());
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < placed.lines.size(); ++i) {
+    // A line of an older view may have passed the near plane since then; it is left out until it is placed anew.
+    if (!drawLine(placed.lines[i], view, same, nowMs, next_[i], drawn.lines[kept])) continue;
+    next_[kept] = next_[i];
+    const double fadeShare = animate ? std::clamp((nowMs - next_[i].fadeStartMs) / kFadeMs, 0.0, 1.0) : 1.0;
+    opacities_[kept] = next_[i].startOpacity + (1.0 - next_[i].startOpacity) * fadeShare;
+    if (opacities_[kept] < 1.0) atRest_ = false;
+    ++kept;
+  }
+  drawn.lines.resize(kept);
+  opacities_.resize(kept);
+  next_.resize(kept);
+  tracked_.swap(next_);
+  fade(view, nowMs);
+}
+
+/// The line of the last frame that is this one: the very same choice for the same scope; or else another choice of its parameter, of which a
+/// chain's members only stand for themselves.
+std::optional<std::size_t> LineAnimator::findBefore(const PlacedLine& line, std::uint32_t scopeIndex, std::size_t hint,
+                                                   bool exactly) const {
+  for (std::size_t n = 0; n < tracked_.size(); ++n) {
+    const std::size_t j = (hint + n) % tracked_.size();
+    const Tracked& before = tracked_[j];
+    if (taken_[j] || before.identity.parameter != line.identity.parameter) continue;
+    const bool sameScope = before.scopeIndex == scopeIndex;
+    const bool chained = before.identity.chain >= 0 && line.identity.chain >= 0;
+    if (exactly ? before.identity == line.identity && (sameScope || !chained) : sameScope || !chained) return j;
+  }
+  return std::nullopt;
+}
+
+/// Finds each placed line among those of the last frame. What is left of those fades.
+void LineAnimator::match(const Layout& placed, std::span<const Scope> scopes, double nowMs, bool animate, const Layout& drawn) {
+  next_.assign(placed.lines.size(), {});
+  changed_.assign(placed.lines.size(), true);
+  taken_.assign(tracked_.size(), false);
+  for (const bool exactly : {true, false}) {
+    std::size_t hint = 0;   // lines mostly keep their order
+    for (std::size_t i = 0; i < placed.lines.size(); ++i) {
+      if (next_[i].identity.parameter >= 0) continue;
+      const auto found = findBefore(placed.lines[i], scopes[placed.lines[i].scope].index, hint, exactly);
+      if (!found) continue;
+      next_[i] = tracked_[*found];
+      taken_[*found] = true;
+      hint = *found + 1;
+      changed_[i] = !exactly || glm::length(offsetPx(placed.lines[i]) - next_[i].offsetPx) > kJumpPx;
+    }
+  }
+  for (std::size_t i = 0; i < placed.lines.size(); ++i) {
+    Tracked& line = next_[i];
+    if (line.identity.parameter < 0) {
+      line.fadeStartMs = nowMs;
+      line.startOpacity = animate ? 0.0 : 1.0;
+    } else if (changed_[i]) {
+      line.baseRest = difference(line.base, placed.lines[i].base);
+      line.lineRest = difference(line.line, placed.lines[i].line);
+      line.glideStartMs = nowMs;
+      line.gliding = true;
+    }
+    line.identity = placed.lines[i].identity;
+    line.scopeIndex = scopes[placed.lines[i].scope].index;
+  }
+  for (std::size_t j = 0; j < tracked_.size(); ++j) {
+    if (!taken_[j]) fading_.push_back({drawn.lines[j], opacities_[j], nowMs, opacities_[j]});
+  }
+}
+
+/// Draws one line, on its way or at its place. False when `view` cannot show it.
+bool LineAnimator::drawLine(const PlacedLine& placed, const View& view, bool same, double nowMs, Tracked& tracked, PlacedLine& drawn) {
+  const bool justChanged = tracked.gliding && tracked.glideStartMs == nowMs;
+  const double rest = tracked.gliding ? 1.0 - easeOut((nowMs - tracked.glideStartMs) / kGlideMs) : 0.0;
+  drawn = placed;
+  if (rest <= 0.0) tracked.gliding = false;
+  const auto anchor = labelAnchor(placed);
+  if (tracked.gliding) {
+    drawn.base = moved(placed.base, tracked.baseRest, rest);
+    drawn.line = moved(placed.line, tracked.lineRest, rest);
+    if (!canProject(drawn, view)) {
+      tracked.gliding = false;
+      drawn.base = placed.base;
+      drawn.line = placed.line;
+    }
+  }
+  if (tracked.gliding || !same) {
+    if (!canProject(drawn, view)) return false;
+    projectLine(drawn, view, anchor);
+  }
+  if (drawn.label && tracked.gliding) {
+    if (justChanged) tracked.labelRest = tracked.hasLabel ? tracked.labelCenter - drawn.label->center() : Vec2(0.0);
+    drawn.label->min += tracked.labelRest * rest;
+    drawn.label->max += tracked.labelRest * rest;
+  }
+  if (tracked.gliding) atRest_ = false;
+  tracked.base = drawn.base;
+  tracked.line = drawn.line;
+  tracked.hasLabel = drawn.label.has_value();
+  if (drawn.label) tracked.labelCenter = drawn.label->center();
+  tracked.offsetPx = offsetPx(placed);
+  return true;
+}
+
+void LineAnimator::fade(const View& view, double nowMs) {
+  std::erase_if(fading_, [&](FadingLine& f) {
+    f.opacity = f.startOpacity * (1.0 - std::clamp((nowMs - f.startMs) / kFadeMs, 0.0, 1.0));
+    if (f.opacity <= 0.0 || !canProject(f.line, view)) return true;
+    projectLine(f.line, view, labelAnchor(f.line));
+    return false;
+  });
+  if (!fading_.empty()) atRest_ = false;
+}
+
+}  // namespace dimline

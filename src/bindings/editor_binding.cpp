@@ -1,0 +1,355 @@
+#include <cmath>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <emscripten/bind.h>
+#include <emscripten/html5.h>
+#include <emscripten/val.h>
+
+#include "app/editor.h"
+#include "app/json.h"
+#include "core/text.h"
+#include "gltf/gltf_reader.h"
+#include "models/models.h"
+
+// The Editor as JavaScript sees it. Text and numbers cross by value, lists as JSON text, files as copies of typed arrays; nothing that JavaScript holds points into
+// this module's memory. A method that can fail gives a sentence, empty when all went well. Nothing throws.
+
+namespace dimline {
+
+namespace {
+
+std::string sentence(const Status& status) { return status ? std::string() : status.error().message; }
+
+/// A word out of a list, as an index; nothing for another word.
+std::optional<std::size_t> indexOf(std::string_view word, std::span<const std::string_view> words) {
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    if (words[i] == word) return i;
+  }
+  return std::nullopt;
+}
+
+std::string notOneOf(std::string_view what, std::string_view word, std::span<const std::string_view> words) {
+  return std::string(what) + " is one of " + joined(words, "or") + ", not " + inQuotes(word) + ".";
+}
+
+constexpr std::string_view kStandardViews[] = {"three-quarter", "front", "back", "left", "right", "top"};
+constexpr std::string_view kFieldsFrom[] = {"auto", "cpu", "gpu"};
+constexpr std::string_view kPointerKinds[] = {"mouse", "touch", "pen"};
+constexpr std::string_view kPointerTargets[] = {"", "handle", "camera"};
+constexpr std::string_view kEvents[] = {"input", "change", "camera-change", "load"};
+
+template <typename Enum>
+std::string nameIn(std::span<const std::string_view> words, Enum value) {
+  return std::string(words[static_cast<std::size_t>(value)]);
+}
+
+Modifiers modifiersFrom(int bits) {
+  return {.shift = (bits & 1) != 0, .ctrl = (bits & 2) != 0, .alt = (bits & 4) != 0, .meta = (bits & 8) != 0};
+}
+
+/// Anything but the middle and the secondary button counts as the primary one; any device but a finger or a pen as a mouse.
+PointerInput pointerFrom(int id, const std::string& kind, int button, double x, double y, int modifierBits) {
+  PointerInput input;
+  input.id = id;
+  input.kind = static_cast<PointerKind>(indexOf(kind, kPointerKinds).value_or(0));
+  input.button = button == 1 ? PointerButton::kMiddle : button == 2 ? PointerButton::kSecondary : PointerButton::kPrimary;
+  input.modifiers = modifiersFrom(modifierBits);
+  input.screen = {x, y};
+  return input;
+}
+
+/// The bytes of a Uint8Array; nothing for any other thing.
+std::optional<std::vector<std::byte>> bytesOf(const emscripten::val& array) {
+  if (!array.instanceof(emscripten::val::global("Uint8Array"))) return std::nullopt;
+  std::vector<std::byte> bytes(array["length"].as<unsigned>());
+  emscripten::val(emscripten::typed_memory_view(bytes.size(), reinterpret_cast<unsigned char*>(bytes.data()))).call<void>("set", array);
+  return bytes;
+}
+
+std::string modelsJson() {
+  JsonWriter json;
+  json.beginArray();
+  for (const BuiltInModel& model : builtInModels()) {
+    json.beginObject().key("name").value(model.name).key("title").value(model.define().title).endObject();
+  }
+  return json.endArray().take();
+}
+
+/// A hundredth of a pixel: what the DOM can use, in few digits.
+double roundedPx(double px) { return std::round(px * 100.0) / 100.0; }
+Vec2 roundedPx(const Vec2& px) { return {roundedPx(px.x), roundedPx(px.y)}; }
+
+class EditorBinding {
+ public:
+  // --- Document ---
+  std::string setModel(const std::string& name) {
+    auto model = findBuiltInModel(name);
+    if (!model) return model.error().message;
+    return sentence(editor_.setModel(std::move(model).value()));
+  }
+
+  std::string setGltf(const std::string& name, const emscripten::val& bytes, const emscripten::val& files) {
+    const auto content = bytesOf(bytes);
+    if (!content) return "The contents of " + inQuotes(name) + " must be a Uint8Array.";
+    const GltfFileResolver resolve = [&](std::string_view uri) -> Result<std::vector<std::byte>> {
+      const emscripten::val file = files.isNull() || files.isUndefined() ? files : files[std::string(uri)];
+      auto found = bytesOf(file);
+      if (!found) return Error{"The file " + inQuotes(uri) + " was not given along."};
+      return std::move(*found);
+    };
+    auto model = readGltf(name, *content, resolve);
+    if (!model) return model.error().message;
+    return sentence(editor_.setModel(std::move(model).value()));
+  }
+
+  [[nodiscard]] std::string parametersJson() const {
+    JsonWriter json;
+    writeParameters(json, editor_.model().parameters(), editor_.values());
+    return json.take();
+  }
+
+  std::string setParametersJson(const std::string& text) {
+    const auto changes = readValues(editor_.model().parameters(), text);
+    if (!changes) return changes.error().message;
+    editor_.setValues(*changes);
+    return {};
+  }
+
+  std::string setParameterContinuous(const std::string& name, const std::string& text) {
+    const auto parameters = editor_.model().parameters();
+    const auto index = findParameter(parameters, name);
+    if (!index) return "There is no parameter " + inQuotes(name) + ".";
+    const auto value = readValue(parameters[*index], text);
+    if (!value) return value.error().message;
+    editor_.setValueContinuous(*index, *value);
+    return {};
+  }
+
+  void endContinuous() { editor_.endContinuous(); }
+  void undo() { editor_.undo(); }
+  void redo() { editor_.redo(); }
+  [[nodiscard]] bool canUndo() const { return editor_.canUndo(); }
+  [[nodiscard]] bool canRedo() const { return editor_.canRedo(); }
+
+  // --- Viewport and camera ---
+  void resize(double width, double height, double ratio) { editor_.resize(width, height, ratio); }
+
+  [[nodiscard]] std::string cameraJson() const {
+    JsonWriter json;
+    writeCamera(json, editor_.camera());
+    return json.take();
+  }
+
+  std::string setCameraJson(const std::string& text) {
+    const auto camera = readCamera(text);
+    if (!camera) return camera.error().message;
+    return sentence(editor_.setCamera(*camera));
+  }
+
+  void fitToView() { editor_.fitToView(); }
+
+  std::string setStandardView(const std::string& name) {
+    const auto view = indexOf(name, kStandardViews);
+    if (!view) return notOneOf("A standard view", name, kStandardViews);
+    editor_.setStandardView(static_cast<StandardView>(*view));
+    return {};
+  }
+
+  void setOrthographic(bool orthographic) { editor_.setOrthographic(orthographic); }
+  [[nodiscard]] bool isOrthographic() const { return editor_.orthographic(); }
+
+  // --- Input ---
+  std::string pointerDown(int id, const std::string& kind, int button, double x, double y, int modifierBits) {
+    return nameIn(kPointerTargets, editor_.pointerDown(pointerFrom(id, kind, button, x, y, modifierBits)));
+  }
+  std::string pointerMove(int id, const std::string& kind, int button, double x, double y, int modifierBits) {
+    return nameIn(kPointerTargets, editor_.pointerMove(pointerFrom(id, kind, button, x, y, modifierBits)));
+  }
+  void pointerUp(int id, const std::string& kind, int button, double x, double y, int modifierBits) {
+    editor_.pointerUp(pointerFrom(id, kind, button, x, y, modifierBits));
+  }
+  std::string hover(int id, const std::string& kind, int button, double x, double y, int modifierBits) {
+    return nameIn(kPointerTargets, editor_.hover(pointerFrom(id, kind, button, x, y, modifierBits)));
+  }
+  void endHover() { editor_.endHover(); }
+  void cancelGesture() { editor_.cancelGesture(); }
+  void wheel(double x, double y, double deltaPx, int modifierBits) { editor_.wheel({x, y}, deltaPx, modifiersFrom(modifierBits)); }
+
+  // --- Frames ---
+  std::string attachContext(int handle) {
+    if (emscripten_webgl_make_context_current(handle) != EMSCRIPTEN_RESULT_SUCCESS) {
+      return "This is no WebGL 2 context of this module, or it is lost.";
+    }
+    context_ = handle;
+    const Status status = editor_.attachRenderer();
+    if (!status) context_ = 0;
+    return sentence(status);
+  }
+  void detachContext() {
+    makeCurrent();
+    editor_.detachRenderer();
+    context_ = 0;
+  }
+  void contextLost() {
+    editor_.abandonRenderer();
+    context_ = 0;
+  }
+  bool frame(double nowMs) {
+    makeCurrent();
+    return editor_.frame(nowMs);
+  }
+  [[nodiscard]] bool atRest() const { return editor_.atRest(); }
+  void setReducedMotion(bool reduced) { editor_.setReducedMotion(reduced); }
+
+  [[nodiscard]] std::string layoutJson() const {
+    JsonWriter json;
+    writeFrame(json, editor_.model(), editor_.scene(), editor_.layout());
+    return json.take();
+  }
+
+  [[nodiscard]] std::string labelsJson() const {
+    JsonWriter json;
+    json.beginArray();
+    const Layout& layout = editor_.layout();
+    const auto states = editor_.lineStates();
+    for (std::size_t i = 0; i < layout.lines.size(); ++i) writeLabel(json, layout.lines[i], states[i], false);
+    for (const Editor::FadingLine& fading : editor_.fadingLines()) writeLabel(json, fading.line, {fading.opacity}, true);
+    return json.endArray().take();
+  }
+
+  std::string eventsJson() {
+    JsonWriter json;
+    json.beginArray();
+    for (const EditorEvent event : editor_.takeEvents()) json.value(nameIn(kEvents, event));
+    return json.endArray().take();
+  }
+
+  // --- For tests and measurements ---
+  std::string setFieldsFrom(const std::string& name) {
+    const auto from = indexOf(name, kFieldsFrom);
+    if (!from) return notOneOf("The fields' producer", name, kFieldsFrom);
+    editor_.setFieldsFrom(static_cast<Editor::FieldsFrom>(*from));
+    return {};
+  }
+  [[nodiscard]] std::string fieldsFrom() const { return nameIn(kFieldsFrom, editor_.fieldsFrom()); }
+
+  std::string fieldsJson(const std::string& name) {
+    const auto from = indexOf(name, kFieldsFrom);
+    makeCurrent();
+    const auto fields = from ? editor_.measureFields(static_cast<Editor::FieldsFrom>(*from)) : std::nullopt;
+    if (!fields) return "null";
+    JsonWriter json;
+    json.beginObject().key("width").value(fields->widthPx).key("height").value(fields->heightPx);
+    for (const auto& [key, edge] : {std::pair{"left", ViewportEdge::kLeft}, std::pair{"right", ViewportEdge::kRight},
+                                    std::pair{"top", ViewportEdge::kTop}, std::pair{"bottom", ViewportEdge::kBottom}}) {
+      json.key(key).beginArray();
+      for (const float value : (*fields)[edge].values()) json.value(static_cast<double>(value));   // no silhouette: null
+      json.endArray();
+    }
+    return json.endObject().take();
+  }
+
+  [[nodiscard]] std::string timingsJson() const {
+    const Editor::Timings& timings = editor_.timings();
+    JsonWriter json;
+    json.beginObject();
+    json.key("rebuildMs").value(timings.rebuildMs).key("fieldsMs").value(timings.fieldsMs);
+    json.key("placeMs").value(timings.placeMs).key("drawMs").value(timings.drawMs);
+    json.key("fieldsFrom").value(nameIn(kFieldsFrom, editor_.fieldsMeasuredBy()));
+    return json.endObject().take();
+  }
+
+ private:
+  /// Several editors can live in one module, each with a context of its own.
+  void makeCurrent() const {
+    if (context_ != 0) emscripten_webgl_make_context_current(context_);
+  }
+
+  void writeLabel(JsonWriter& json, const PlacedLine& line, const Editor::LineState& state, bool fading) const {
+    const auto parameters = editor_.model().parameters();
+    const Scene& scene = editor_.scene();
+    std::string id = identityText(line.identity, parameters);
+    // The members of a chain have one identity together; a line on its way out must not be taken for the one that came in its place.
+    if (line.chain >= 0 && line.scope < scene.scopes.size()) id += "#" + std::to_string(scene.scopes[line.scope].index);
+    if (fading) id += "~";
+    json.beginObject();
+    json.key("id").value(id);
+    json.key("parameter").value(line.parameter);
+    json.key("name").value(parameters[line.parameter].name);
+    json.key("text").value(line.text);
+    json.key("box");
+    if (line.label) {
+      json.value(Box2{roundedPx(line.label->min), roundedPx(line.label->max)});
+    } else {
+      json.null();
+    }
+    json.key("opacity").value(std::round(state.opacity * 1000.0) / 1000.0);
+    json.key("hovered").value(state.hovered);
+    json.key("dragged").value(state.dragged);
+    json.key("handles").beginArray();
+    if (!fading) {
+      for (const Handle& handle : line.handles) {
+        json.beginObject();
+        json.key("end").value(handle.atEnd ? "end" : "start").key("screen").value(roundedPx(handle.screen));
+        json.endObject();
+      }
+    }
+    json.endArray();
+    json.endObject();
+  }
+
+  Editor editor_;
+  int context_ = 0;
+};
+
+}  // namespace
+
+EMSCRIPTEN_BINDINGS(dimline) {
+  using emscripten::function;
+
+  emscripten::function("modelsJson", &modelsJson);
+  emscripten::class_<EditorBinding>("Editor")
+      .constructor<>()
+      .function("setModel", &EditorBinding::setModel)
+      .function("setGltf", &EditorBinding::setGltf)
+      .function("parametersJson", &EditorBinding::parametersJson)
+      .function("setParametersJson", &EditorBinding::setParametersJson)
+      .function("setParameterContinuous", &EditorBinding::setParameterContinuous)
+      .function("endContinuous", &EditorBinding::endContinuous)
+      .function("undo", &EditorBinding::undo)
+      .function("redo", &EditorBinding::redo)
+      .function("canUndo", &EditorBinding::canUndo)
+      .function("canRedo", &EditorBinding::canRedo)
+      .function("resize", &EditorBinding::resize)
+      .function("cameraJson", &EditorBinding::cameraJson)
+      .function("setCameraJson", &EditorBinding::setCameraJson)
+      .function("fitToView", &EditorBinding::fitToView)
+      .function("setStandardView", &EditorBinding::setStandardView)
+      .function("setOrthographic", &EditorBinding::setOrthographic)
+      .function("isOrthographic", &EditorBinding::isOrthographic)
+      .function("pointerDown", &EditorBinding::pointerDown)
+      .function("pointerMove", &EditorBinding::pointerMove)
+      .function("pointerUp", &EditorBinding::pointerUp)
+      .function("hover", &EditorBinding::hover)
+      .function("endHover", &EditorBinding::endHover)
+      .function("cancelGesture", &EditorBinding::cancelGesture)
+      .function("wheel", &EditorBinding::wheel)
+      .function("attachContext", &EditorBinding::attachContext)
+      .function("detachContext", &EditorBinding::detachContext)
+      .function("contextLost", &EditorBinding::contextLost)
+      .function("frame", &EditorBinding::frame)
+      .function("atRest", &EditorBinding::atRest)
+      .function("setReducedMotion", &EditorBinding::setReducedMotion)
+      .function("layoutJson", &EditorBinding::layoutJson)
+      .function("labelsJson", &EditorBinding::labelsJson)
+      .function("eventsJson", &EditorBinding::eventsJson)
+      .function("setFieldsFrom", &EditorBinding::setFieldsFrom)
+      .function("fieldsFrom", &EditorBinding::fieldsFrom)
+      .function("fieldsJson", &EditorBinding::fieldsJson)
+      .function("timingsJson", &EditorBinding::timingsJson);
+}
+
+}  // namespace dimline
