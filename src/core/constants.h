@@ -67,6 +67,20 @@ inline constexpr double kEdgeOnAngleRad = 0.1;
 inline constexpr double kSamePlaneAngleRad = 1e-4;
 inline constexpr double kSamePlaneDistance = 1e-4;
 
+// --- Visibility of scopes ---------------------------------------------------------------------------------------------
+
+/// Samples along the longer side of the CPU's depth buffer. A quarter of a large viewport: a scope of 10 px still has a few samples.
+inline constexpr int kVisibilitySamples = 384;
+
+/// Share of the model's size by which a scope's box may lie behind the model's surface and still count as seen: window boxes reach into
+/// the wall, and facades stand a little before their scopes. Too small hides what is plainly there, too large shows it through thin walls.
+inline constexpr double kScopeSkinShare = 0.01;
+
+/// Share of a scope's screen area that must be seen for it to be shown, and below which one that is shown is dropped again. Two
+/// thresholds, so that a scope at the edge of sight does not flicker.
+inline constexpr double kSeenShareToShow = 0.06;
+inline constexpr double kSeenShareToKeep = 0.02;
+
 // --- Camera -----------------------------------------------------------------------------------------------------------
 
 /// The near plane as a share of the distance to the model's farthest point. 24-bit depth keeps about 1e-4 of that

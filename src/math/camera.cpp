@@ -69,14 +69,15 @@ View::View(const Camera& camera, double widthPx, double heightPx, const Bounds& 
       farthest = std::max(farthest, d);
     }
   }
-  const double span = std::max({farthest - nearest, 1e-6 * std::abs(farthest), 1e-9});
+  // Dimension lines stand around the model: a model's size of room before and behind it is theirs, and costs little depth precision.
+  const double room = std::max({bounds.diagonal(), 1e-6 * std::abs(farthest), 1e-9});
   if (camera.orthographic()) {
     // An orthographic eye is only a direction: nothing is ever behind it.
-    nearM_ = nearest - 0.05 * span;
-    farM_ = farthest + 0.05 * span;
+    nearM_ = nearest - room;
+    farM_ = farthest + room;
   } else {
-    farM_ = std::max(farthest + 0.05 * span, 1e-6);
-    nearM_ = std::max(nearest - 0.05 * span, farM_ * kNearShare);
+    farM_ = std::max(farthest + room, 1e-6);
+    nearM_ = std::max(nearest - room, farM_ * kNearShare);
     if (farM_ <= nearM_) farM_ = nearM_ * 2;
   }
 

@@ -27,8 +27,8 @@ Status validate(const Camera& camera);
 class View {
  public:
   View() = default;
-  /// `bounds`: what must lie between the near and the far plane where possible; the near plane is never behind the eye,
-  /// so parts of the model can be cut away or lie behind the viewer. `widthPx`, `heightPx` >= 1.
+  /// `bounds`: what must lie between the near and the far plane where possible, with as much room again before and behind it; the near plane is
+  /// never behind the eye, so parts of the model can be cut away or lie behind the viewer. `widthPx`, `heightPx` >= 1.
   View(const Camera& camera, double widthPx, double heightPx, const Bounds& bounds);
 
   [[nodiscard]] const Camera& camera() const { return camera_; }

@@ -35,6 +35,7 @@ struct Candidate {
 
 /// What became of a parameter's base lines, for the reason why it is hidden when none is left.
 struct BaseLineTally {
+  int occluded = 0;         ///< a scope that the model hides
   int outOfView = 0;        ///< an end nearer than the near plane, or nothing of it in the viewport
   int foreshortened = 0;    ///< points at the viewer
   int tooShort = 0;         ///< shorter on screen than the least length

@@ -1,6 +1,7 @@
 #include "placement/placer.h"
 
 #include <algorithm>
+#include <cassert>
 #include <tuple>
 
 #include "placement/candidates.h"
@@ -52,6 +53,7 @@ double meanBaseLengthM(const Annotation& annotation, const std::vector<Scope>& s
 
 HiddenReason reasonFor(const BaseLineTally& tally, bool anyScope) {
   if (!anyScope) return HiddenReason::kNoScope;
+  if (tally.occluded > 0) return HiddenReason::kOccluded;
   if (tally.foreshortened > 0) return HiddenReason::kForeshortened;
   if (tally.tooShort > 0) return HiddenReason::kTooShort;
   return HiddenReason::kOutOfView;
@@ -73,7 +75,8 @@ struct Placer::State {
   DistanceFields padded;
   Landed landed;
   Guides guides;
-  std::vector<char> visible;          ///< one a scope
+  std::vector<char> inView;           ///< one a scope
+  std::vector<char> seen;             ///< one a scope: in view, and not hidden by the model; kept for the next frame's hysteresis
   std::vector<UsableBaseLine> bases;
   std::vector<UsableBaseLine> chainBases;
   std::vector<Candidate> candidates;
@@ -82,6 +85,10 @@ struct Placer::State {
   TakenStretches chainStretches;
   std::vector<PlacedLine> spareLines;
 
+  void findVisible(const View& view, const ScopeVisibility* visibility);
+  [[nodiscard]] bool visible(const Annotation& annotation, std::size_t scope) const {
+    return (annotation.occlusion ? seen : inView)[scope] != 0;
+  }
   void placeParameter(Measured& measured, const View& view, const DistanceFields& model, double value, Layout& layout);
   void gatherCandidates(const Measured& measured, const CandidateContext& context, bool onGuides);
   const Candidate* chooseWinner(const Measured& measured, const View& view, const DistanceFields& model);
@@ -112,6 +119,7 @@ void Placer::setScene(const Model& model, const Scene& scene) {
   State& s = *state_;
   const auto sameName = [](const Parameter& a, const Parameter& b) { return a.name == b.name; };
   const bool sameModel = std::ranges::equal(s.parameters, model.parameters(), sameName);
+  if (s.scopes.size() != scene.scopes.size()) s.seen.clear();
   s.scopes = scene.scopes;
   s.modelSizeM = scene.bounds.diagonal();
   if (!sameModel) {
@@ -137,7 +145,8 @@ void Placer::setScene(const Model& model, const Scene& scene) {
   std::ranges::stable_sort(s.order, {}, &Measured::meanLengthM);
 }
 
-void Placer::place(const View& view, const DistanceFields& fields, const Values& values, Layout& layout) {
+void Placer::place(const View& view, const DistanceFields& fields, const Values& values, Layout& layout,
+                   const ScopeVisibility* visibility) {
   State& s = *state_;
   s.recycle(layout);
   layout.view = view;
@@ -147,13 +156,23 @@ void Placer::place(const View& view, const DistanceFields& fields, const Values&
   s.guides.clear();
   pad(fields, kHandleSpacingPx, s.paddedModel);
   s.padded = s.paddedModel;
-  s.visible.assign(s.scopes.size(), 0);
+  s.findVisible(view, visibility);
   for (std::size_t i = 0; i < s.scopes.size(); ++i) {
-    if (!inView(view, s.scopes[i].box)) continue;
-    s.visible[i] = 1;
-    layout.visibleScopes.push_back(i);
+    if (s.seen[i] != 0) layout.visibleScopes.push_back(i);
   }
   for (Measured& measured : s.order) s.placeParameter(measured, view, fields, values.at(measured.parameter), layout);
+}
+
+void Placer::State::findVisible(const View& view, const ScopeVisibility* visibility) {
+  assert(visibility == nullptr || visibility->seenShare.size() == scopes.size());
+  inView.resize(scopes.size());
+  seen.resize(scopes.size(), 0);
+  for (std::size_t i = 0; i < scopes.size(); ++i) {
+    inView[i] = dimline::inView(view, scopes[i].box) ? 1 : 0;
+    const double threshold = seen[i] != 0 ? kSeenShareToKeep : kSeenShareToShow;
+    const bool hidden = visibility != nullptr && static_cast<double>(visibility->seenShare[i]) < threshold;
+    seen[i] = inView[i] != 0 && !hidden ? 1 : 0;
+  }
 }
 
 /// getDimensionLine of algorithm 1.
@@ -161,8 +180,8 @@ void Placer::State::placeParameter(Measured& measured, const View& view, const D
   bases.clear();
   BaseLineTally tally;
   for (const std::size_t scope : measured.scopes) {
-    if (visible[scope] == 0) {
-      ++tally.outOfView;
+    if (!visible(measured.annotation, scope)) {
+      ++(inView[scope] != 0 ? tally.occluded : tally.outOfView);
     } else {
       gatherBaseLines(measured.annotation, scopes[scope], scope, view, bases, tally);
     }
@@ -269,7 +288,7 @@ bool Placer::State::expandChain(const Candidate& candidate, const Measured& meas
   chainStretches.clear();
   for (const std::uint32_t index : cluster.nearestFirst[static_cast<std::size_t>(candidate.identity.baseLine)]) {
     const ChainMember& m = cluster.members[index];
-    if (visible[m.scope] == 0 || !chainStretches.free(m.fromM, m.toM, toleranceM)) continue;
+    if (!visible(measured.annotation, m.scope) || !chainStretches.free(m.fromM, m.toM, toleranceM)) continue;
     if (!view.inFrontOfNear(m.segment.start) || !view.inFrontOfNear(m.segment.end)) continue;
     const Segment line{candidate.line.start + cluster.along * m.fromM, candidate.line.start + cluster.along * m.toM};
     const Segment2 lineScreen = view.toScreen(line);

@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "placement/layout.h"
+#include "silhouette/scope_visibility.h"
 
 namespace dimline {
 
@@ -25,8 +26,10 @@ class Placer {
   /// Forgets the last frame, as for another model.
   void forget();
 
-  /// One frame. `fields` are the model's own, of the same viewport as `view`. `values` are what the labels say.
-  void place(const View& view, const DistanceFields& fields, const Values& values, Layout& layout);
+  /// One frame. `fields` are the model's own, of the same viewport as `view`; `visibility` says how much of each of the scene's scopes is seen, from
+  /// this frame or a recent one (null: nothing is hidden by the model). `values` are what the labels say.
+  void place(const View& view, const DistanceFields& fields, const Values& values, Layout& layout,
+             const ScopeVisibility* visibility = nullptr);
 
  private:
   struct State;
