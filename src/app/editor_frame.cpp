@@ -73,7 +73,7 @@ void Editor::State::measureAndPlace(const View& view) {
 void Editor::State::placeOn(const View& view) {
   const Stopwatch watch;
   visibility.measure(scene, view, scopesSeen);
-  placer.place(view, fieldSource.fields(), &scopesSeen, values, placed);
+  placer.place(view, fieldSource.fields(), values, placed, &scopesSeen);
   holdDraggedLine(view);
   timings.placeMs = watch.ms();
   placedOnce = true;
