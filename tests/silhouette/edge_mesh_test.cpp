@@ -1,0 +1,125 @@
+#include "silhouette/edge_mesh.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <catch2/catch.hpp>
+
+#include "silhouette/scene_shapes.h"
+
+namespace dimline {
+namespace {
+
+std::size_t borders(const EdgeMesh& mesh) {
+  return static_cast<std::size_t>(std::count_if(mesh.edges.begin(), mesh.edges.end(), [&](const EdgeMesh::Edge& edge) {
+    return edge.facetA == mesh.noFacet && edge.facetB == mesh.noFacet;
+  }));
+}
+
+Vec3 normalOf(const EdgeMesh& mesh, std::size_t facet) { return {mesh.normalX[facet], mesh.normalY[facet], mesh.normalZ[facet]}; }
+
+TEST_CASE("a box has six facets and twelve edges, none along a diagonal") {
+  const EdgeMesh box = makeEdgeMesh(test::boxMesh());
+  REQUIRE(box.positions.size() == 8);
+  REQUIRE(box.triangles.size() == 12);
+  REQUIRE(box.facetCount() == 6);
+  REQUIRE(box.edges.size() == 12);
+  REQUIRE(borders(box) == 0);
+  for (const EdgeMesh::Edge& edge : box.edges) {
+    REQUIRE(glm::length(box.positions[edge.a] - box.positions[edge.b]) == 2);
+    REQUIRE(glm::dot(normalOf(box, edge.facetA), normalOf(box, edge.facetB)) == 0);
+  }
+  for (std::size_t facet = 0; facet < 6; ++facet) {
+    REQUIRE(glm::length(normalOf(box, facet)) == Approx(1));
+    REQUIRE(box.offset[facet] == Approx(-1));   // the middle is behind every face
+  }
+}
+
+TEST_CASE("arrays of facets are filled up with zeros past the last") {
+  const EdgeMesh box = makeEdgeMesh(test::boxMesh());
+  REQUIRE(box.normalX.size() % 4 == 0);
+  REQUIRE(box.normalX.size() > box.facetCount());
+  for (std::size_t i = box.facetCount(); i < box.normalX.size(); ++i) {
+    REQUIRE(normalOf(box, i) == Vec3(0.0));
+    REQUIRE(box.offset[i] == 0);
+  }
+}
+
+TEST_CASE("a sphere is closed, and each of its triangles faces out") {
+  const EdgeMesh sphere = makeEdgeMesh(test::sphereMesh(12, 18));
+  REQUIRE(borders(sphere) == 0);
+  // Quadrilaterals between two parallels are flat: 18 triangles at each pole, 18 facets in each of 10 rings between.
+  REQUIRE(sphere.facetCount() == 18 * 12);
+  REQUIRE(sphere.edges.size() == 18 * 12 + 18 * 11);
+  for (std::size_t facet = 0; facet < sphere.facetCount(); ++facet) REQUIRE(sphere.offset[facet] < 0);
+}
+
+TEST_CASE("vertices that were split for their normals are welded") {
+  const EdgeMesh welded = makeEdgeMesh(test::split(test::sphereMesh(12, 18)));
+  const EdgeMesh shared = makeEdgeMesh(test::sphereMesh(12, 18));
+  REQUIRE(welded.positions.size() == shared.positions.size());
+  REQUIRE(welded.edges.size() == shared.edges.size());
+  REQUIRE(borders(welded) == 0);
+}
+
+TEST_CASE("minus zero and zero are the same place") {
+  Mesh mesh;
+  mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-0.0F, 0, -0.0F}, {0, 1, 0}, {-1, 0, 0}};
+  mesh.triangles = {{0, 1, 2}, {3, 4, 5}};
+  const EdgeMesh prepared = makeEdgeMesh(mesh);
+  REQUIRE(prepared.positions.size() == 4);
+  REQUIRE(prepared.facetCount() == 1);   // both lie in z = 0 and share an edge
+  REQUIRE(prepared.edges.size() == 4);
+}
+
+TEST_CASE("a flat sheet is one facet inside its border") {
+  const EdgeMesh sheet = makeEdgeMesh(test::sheetMesh(5, 0));
+  REQUIRE(sheet.facetCount() == 1);
+  REQUIRE(sheet.edges.size() == 20);
+  REQUIRE(borders(sheet) == 20);
+}
+
+TEST_CASE("an edge with three faces, or two that disagree, is a border") {
+  Mesh fan;
+  fan.positions = {{0, 0, 0}, {0, 1, 0}, {1, 0, 0}, {0, 0, 1}, {-1, 0, -1}};
+  fan.triangles = {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}};
+  REQUIRE(makeEdgeMesh(fan).edges.size() == 7);
+  REQUIRE(borders(makeEdgeMesh(fan)) == 7);
+  Mesh turned;
+  turned.positions = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+  turned.triangles = {{0, 1, 2}, {0, 3, 2}};
+  REQUIRE(makeEdgeMesh(turned).edges.size() == 5);
+  REQUIRE(borders(makeEdgeMesh(turned)) == 5);
+  turned.triangles = {{0, 1, 2}, {0, 2, 3}};
+  REQUIRE(makeEdgeMesh(turned).edges.size() == 4);
+}
+
+TEST_CASE("triangles without area or without a place do no harm") {
+  Mesh mesh = test::boxMesh();
+  mesh.triangles.push_back({0, 0, 1});
+  mesh.positions.emplace_back(std::nanf(""), 0, 0);
+  mesh.triangles.push_back({0, 1, 8});
+  const EdgeMesh box = makeEdgeMesh(mesh);
+  REQUIRE(box.triangles.size() == 12);
+  REQUIRE(box.edges.size() == 12);
+  REQUIRE(makeEdgeMesh(Mesh{}).edges.empty());
+  Mesh needle;
+  needle.positions = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}};
+  needle.triangles = {{0, 1, 2}};
+  const EdgeMesh prepared = makeEdgeMesh(needle);
+  REQUIRE(prepared.edges.size() == 3);
+  REQUIRE(normalOf(prepared, 0) == Vec3(0.0));
+}
+
+TEST_CASE("positions are kept relative to the middle, so that far coordinates lose nothing") {
+  Mesh far = test::boxMesh();
+  for (glm::vec3& p : far.positions) p += glm::vec3(4096, 0, -8192);
+  const EdgeMesh prepared = makeEdgeMesh(far);
+  REQUIRE(prepared.center == Vec3(4096, 0, -8192));
+  REQUIRE(prepared.halfSize == Vec3(1.0));
+  for (const glm::vec3& p : prepared.positions) REQUIRE(glm::abs(p) == glm::vec3(1.0F));
+  REQUIRE(prepared.facetCount() == 6);
+}
+
+}  // namespace
+}  // namespace dimline
