@@ -137,7 +137,8 @@ Camera fitToView(const Camera& camera, const Bounds& bounds, double widthPx, dou
   const Frame frame = frameOf(camera);
   const Vec3 center = bounds.center();
   const double aspect = widthPx / heightPx;
-  const double radius = std::max(bounds.diagonal() * 0.5, 1e-6);
+  // A model that is a point has no size of its own; then the eye must still be far enough from it for a direction that validate() trusts.
+  const double radius = std::max({bounds.diagonal() * 0.5, 1e-5 * glm::length(center), 1e-6});
 
   if (camera.orthographic()) {
     double height = 0;
