@@ -16,7 +16,7 @@ void main() {
   albedo *= texture(image, surfaceUv).rgb;
 #endif
   float facing = dot(n, sun.xyz);
-  vec3 light = ambientLight(n);
+  vec3 light = ambientLight(world, n);
   if (facing > 0.0) light += kSunLight * (facing * sunVisibility(world, n));
   color = vec4(toSrgb(toneMap(albedo * light)) + dither(), 1.0);
 }

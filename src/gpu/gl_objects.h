@@ -83,12 +83,21 @@ struct VertexArrayKind {
   }
   static void destroy(GLuint id) { glDeleteVertexArrays(1, &id); }
 };
+struct SamplerKind {
+  static GLuint make() {
+    GLuint id = 0;
+    glGenSamplers(1, &id);
+    return id;
+  }
+  static void destroy(GLuint id) { glDeleteSamplers(1, &id); }
+};
 
 using Buffer = GlObject<BufferKind>;
 using Texture = GlObject<TextureKind>;
 using Framebuffer = GlObject<FramebufferKind>;
 using Renderbuffer = GlObject<RenderbufferKind>;
 using VertexArray = GlObject<VertexArrayKind>;
+using Sampler = GlObject<SamplerKind>;
 
 /// Binds `buffer` to `target` and gives it new contents.
 void upload(const Buffer& buffer, GLenum target, std::span<const std::byte> bytes, GLenum usage);

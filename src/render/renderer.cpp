@@ -25,7 +25,7 @@ Renderer::Renderer(std::unique_ptr<GlContext> context, GpuFields fields)
 Status Renderer::setScene(const Scene& scene) {
   shown_.reset();
   scene_.upload(scene);
-  return sceneRenderer_.sceneChanged(scene_);
+  return sceneRenderer_.sceneChanged(scene, scene_);
 }
 
 Status Renderer::draw(const View& view, std::span<const OverlayLine> lines, const RenderOptions& options) {
@@ -36,7 +36,10 @@ Status Renderer::draw(const View& view, std::span<const OverlayLine> lines, cons
     shown_.reset();
     const int samples = options.quality == RenderQuality::kFull ? 4 : 1;
     if (Status status = target_.resize(options.widthPx, options.heightPx, samples); !status) return status;
-    sceneRenderer_.draw(scene_, view, options.theme, options.quality, options.ground, target_, options.devicePixelRatio);
+    if (Status status = sceneRenderer_.draw(scene_, view, options.theme, options.quality, options.ground, target_, options.devicePixelRatio);
+        !status) {
+      return status;
+    }
     target_.resolve();
     shown_ = wanted;
   }

@@ -18,7 +18,7 @@ constexpr double kSunElevationRad = 0.78;
 constexpr double kGroundRadius = 2.2;
 
 /// Texture units.
-enum Unit : int { kUnitMaterials = 0, kUnitShadow = 1, kUnitImage = 2 };
+enum Unit : int { kUnitMaterials = 0, kUnitShadow = 1, kUnitImage = 2, kUnitSky = 3, kUnitGround = 4 };
 
 Vec3 towardsSun() {
   return {std::sin(kSunAzimuthRad) * std::cos(kSunElevationRad), std::sin(kSunElevationRad),
@@ -36,21 +36,26 @@ SceneRenderer::SceneRenderer(const GlContext& context)
       frameBuffer_(context),
       noVertices_(context),
       shadow_(context),
-      background_(context, {.label = "background", .vertex = {shaders::fullscreen_vert}, .fragment = {shaders::frame_glsl, shaders::background_frag}}),
+      sky_(context),
+      edges_(context),
+      background_(context, {.label = "background", .vertex = {shaders::fullscreen_vert}, .fragment = {shaders::frame_glsl, shaders::tone_glsl, shaders::background_frag}}),
       groundProgram_(context, {.label = "ground",
                                .vertex = {shaders::frame_glsl, shaders::ground_vert},
-                               .fragment = {shaders::frame_glsl, shaders::light_glsl, shaders::ground_frag}}) {}
+                               .fragment = {shaders::frame_glsl, shaders::tone_glsl, shaders::ground_frag}}) {}
 
 Status SceneRenderer::prepare() {
   for (Program* program : {&background_, &groundProgram_}) {
     if (Status status = program->status(); !status) return status;
     program->bindBlock("Frame", kFrameBlockBinding);
   }
-  groundProgram_.bindSampler("shadowMap", kUnitShadow);
-  return shadow_.prepare();
+  groundProgram_.bindSampler("groundLight", kUnitGround);
+  if (Status status = shadow_.prepare(); !status) return status;
+  if (Status status = edges_.prepare(); !status) return status;
+  return sky_.prepare();
 }
 
-Status SceneRenderer::sceneChanged(const GpuScene& scene) {
+Status SceneRenderer::sceneChanged(const Scene& source, const GpuScene& scene) {
+  edges_.setScene(source);
   const auto surfaceOf = [&](const GpuScene::Group& group) -> SurfaceProgram& {
     return surfaces_[static_cast<std::size_t>(group.pattern)][group.image >= 0 ? 1 : 0];
   };
@@ -61,7 +66,7 @@ Status SceneRenderer::sceneChanged(const GpuScene& scene) {
                                 (group.image >= 0 ? "#define HAS_IMAGE 1\n" : "");
     surface.program = Program(*context_, {.label = "surfaces",
                                           .vertex = {shaders::instance_glsl, shaders::frame_glsl, shaders::surface_vert},
-                                          .fragment = {shaders::frame_glsl, shaders::light_glsl, shaders::surface_frag},
+                                          .fragment = {shaders::frame_glsl, shaders::tone_glsl, shaders::light_glsl, shaders::surface_frag},
                                           .defines = defines});
   }
   for (const GpuScene::Group& group : scene.groups()) {
@@ -71,20 +76,31 @@ Status SceneRenderer::sceneChanged(const GpuScene& scene) {
     surface.program.bindBlock("Frame", kFrameBlockBinding);
     surface.program.bindSampler("materials", kUnitMaterials);
     surface.program.bindSampler("shadowMap", kUnitShadow);
+    surface.program.bindSampler("skyVolume", kUnitSky);
     surface.program.bindSampler("image", kUnitImage);
     surface.ready = true;
   }
-  shadow_.render(scene, towardsSun());
+  shadowStale_ = true;
+  lightDetail_.reset();
   return okStatus();
+}
+
+Status SceneRenderer::updateLight(const GpuScene& scene, RenderQuality quality) {
+  if (shadowStale_) shadow_.render(scene, towardsSun());
+  shadowStale_ = false;
+  const LightDetail wanted = quality == RenderQuality::kFull ? LightDetail::kFine : LightDetail::kCoarse;
+  if (lightDetail_ && *lightDetail_ >= wanted) return okStatus();
+  lightDetail_ = wanted;
+  return sky_.bake(scene, shadow_, towardsSun(), wanted);
 }
 
 void SceneRenderer::fillFrameBlock(const GpuScene& scene, const View& view, const Theme& theme, bool ground, const PictureTarget& target,
                                    double devicePixelRatio) {
   frame_.worldToClip = glm::mat4(view.viewProjection());
-  frame_.worldToShadow = shadow_.worldToShadow();
+  frame_.worldToShadow = glm::mat4(shadow_.view().worldToUnit);
   frame_.eye = eyeOf(view);
-  frame_.sun = glm::vec4(glm::vec3(towardsSun()), shadow_.texelM());
-  frame_.viewport = {target.width(), target.height(), devicePixelRatio, 0};
+  frame_.sun = glm::vec4(glm::vec3(towardsSun()), shadow_.view().texelM);
+  frame_.viewport = {target.width(), target.height(), devicePixelRatio, 0.5 * view.projectionMatrix()[1][1] * target.height()};
   const Bounds& bounds = scene.bounds();
   const Vec3 center = bounds.empty() ? Vec3(0.0) : bounds.center();
   const double height = bounds.empty() ? 0.0 : bounds.min.y;
@@ -93,6 +109,9 @@ void SceneRenderer::fillFrameBlock(const GpuScene& scene, const View& view, cons
   const Vec3 toViewer = -view.directionTo({center.x, height, center.z});
   const double opacity = ground && !bounds.empty() ? std::clamp((toViewer.y - 0.005) / 0.06, 0.0, 1.0) : 0.0;
   frame_.groundFade = glm::vec4(static_cast<float>(opacity));
+  frame_.groundSquare = glm::vec4(sky_.groundSquare(), 0.0F);
+  frame_.skyOrigin = glm::vec4(sky_.volumeOrigin(), sky_.voxelM());
+  frame_.skyScale = glm::vec4(sky_.volumeScale(), 0.0F);
   frame_.backgroundTop = theme.backgroundTop;
   frame_.backgroundBottom = theme.backgroundBottom;
   glBindBuffer(GL_UNIFORM_BUFFER, frameBuffer_.id());
@@ -100,9 +119,9 @@ void SceneRenderer::fillFrameBlock(const GpuScene& scene, const View& view, cons
   glBindBufferBase(GL_UNIFORM_BUFFER, kFrameBlockBinding, frameBuffer_.id());
 }
 
-void SceneRenderer::draw(const GpuScene& scene, const View& view, const Theme& theme, RenderQuality quality, bool ground,
-                         const PictureTarget& target, double devicePixelRatio) {
-  static_cast<void>(quality);
+Status SceneRenderer::draw(const GpuScene& scene, const View& view, const Theme& theme, RenderQuality quality, bool ground,
+                           const PictureTarget& target, double devicePixelRatio) {
+  if (Status status = updateLight(scene, quality); !status) return status;
   fillFrameBlock(scene, view, theme, ground, target, devicePixelRatio);
   target.bind();
   glDisable(GL_BLEND);
@@ -110,12 +129,14 @@ void SceneRenderer::draw(const GpuScene& scene, const View& view, const Theme& t
   glDisable(GL_SCISSOR_TEST);
   glDepthMask(GL_TRUE);
   glClear(GL_DEPTH_BUFFER_BIT);
-  const auto bind = [](Unit unit, GLuint texture) {
+  const auto bind = [](Unit unit, GLuint texture, GLenum kind = GL_TEXTURE_2D) {
     glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
-    glBindTexture(GL_TEXTURE_2D, texture);
+    glBindTexture(kind, texture);
   };
   bind(kUnitMaterials, scene.materialTexture());
   bind(kUnitShadow, shadow_.texture());
+  bind(kUnitSky, sky_.volumeTexture(), GL_TEXTURE_3D);
+  bind(kUnitGround, sky_.groundTexture());
 
   glDisable(GL_DEPTH_TEST);
   glBindVertexArray(noVertices_.id());
@@ -137,8 +158,10 @@ void SceneRenderer::draw(const GpuScene& scene, const View& view, const Theme& t
     surfaces_[static_cast<std::size_t>(group.pattern)][group.image >= 0 ? 1 : 0].program.use();
     scene.drawGroup(i);
   }
+  edges_.draw();
   glDisable(GL_DEPTH_TEST);
   glActiveTexture(GL_TEXTURE0);
+  return okStatus();
 }
 
 }  // namespace dimline

@@ -7,8 +7,10 @@
 #include "gpu/gpu_scene.h"
 #include "gpu/program.h"
 #include "math/camera.h"
+#include "render/edge_renderer.h"
 #include "render/frame_block.h"
 #include "render/picture_target.h"
+#include "render/sky_light.h"
 #include "render/sun_shadow.h"
 #include "render/theme.h"
 
@@ -26,18 +28,20 @@ class SceneRenderer {
   explicit SceneRenderer(const GlContext& context);
   Status prepare();
 
-  /// The scene has changed: shadows are drawn anew, shaders for new materials are compiled.
-  Status sceneChanged(const GpuScene& scene);
+  /// The scene has changed: its light will be worked out anew, shaders for new materials are compiled.
+  Status sceneChanged(const Scene& source, const GpuScene& scene);
 
   /// Fills the bound target. `devicePixelRatio`: of the target.
-  void draw(const GpuScene& scene, const View& view, const Theme& theme, RenderQuality quality, bool ground, const PictureTarget& target,
-            double devicePixelRatio);
+  Status draw(const GpuScene& scene, const View& view, const Theme& theme, RenderQuality quality, bool ground, const PictureTarget& target,
+              double devicePixelRatio);
 
  private:
   struct SurfaceProgram {
     Program program;
     bool ready = false;
   };
+  /// Shadow and sky light, as fine as `quality` asks; nothing to do when the present ones are fine enough.
+  Status updateLight(const GpuScene& scene, RenderQuality quality);
   void fillFrameBlock(const GpuScene& scene, const View& view, const Theme& theme, bool ground, const PictureTarget& target,
                       double devicePixelRatio);
 
@@ -48,6 +52,10 @@ class SceneRenderer {
   Buffer frameBuffer_;
   VertexArray noVertices_;
   SunShadow shadow_;
+  SkyLight sky_;
+  EdgeRenderer edges_;
+  bool shadowStale_ = true;
+  std::optional<LightDetail> lightDetail_;   ///< that of the present scene; nothing: not worked out yet
   Program background_, groundProgram_;
   std::array<std::array<SurfaceProgram, 2>, kPatterns> surfaces_;   ///< by pattern, without and with an image
 };

@@ -6,6 +6,7 @@
 #include "gpu/gl_objects.h"
 #include "gpu/gpu_scene.h"
 #include "gpu/program.h"
+#include "render/light_view.h"
 
 namespace dimline {
 
@@ -15,23 +16,20 @@ class SunShadow {
   explicit SunShadow(const GlContext& context);
   Status prepare();
 
-  /// Draws the map for a scene lit from `towardsSun` (unit). Covers the scene's bounds.
-  void render(const GpuScene& scene, const glm::dvec3& towardsSun);
+  /// Draws the map, covering the scene's bounds, for a scene lit from `towardsSun` (unit).
+  void render(const GpuScene& scene, const Vec3& towardsSun);
 
+  /// Depths, compared when looked up.
   [[nodiscard]] GLuint texture() const { return depth_.id(); }
-  /// World to the unit cube of the map: (u, v, depth).
-  [[nodiscard]] const glm::mat4& worldToShadow() const { return worldToShadow_; }
-  [[nodiscard]] float texelM() const { return texelM_; }
+  [[nodiscard]] const LightView& view() const { return view_; }
 
  private:
   const GlContext* context_;
   Program program_;
   GLint matrix_ = -1;
-  int size_ = 2048;
   Texture depth_;
   Framebuffer framebuffer_;
-  glm::mat4 worldToShadow_{1.0F};
-  float texelM_ = 1.0F;
+  LightView view_;
 };
 
 }  // namespace dimline
