@@ -99,6 +99,8 @@ struct Placer::State {
   bool placeLabels(const Candidate& candidate, const Measured& measured, const View& view, const DistanceFields& model);
   bool fellowsLeaveRoom(const Box2& label, std::size_t own) const;
   void land(const Candidate& winner, const Measured& measured, double value, Layout& layout);
+  void landHeld(const PlacedLine& held, Layout& layout);
+  void occupy(const PlacedLine& line, int guide);
   int guideOf(const Candidate& winner);
   PlacedLine& appendLine(Layout& layout);
   void recycle(Layout& layout);
@@ -146,7 +148,7 @@ void Placer::setScene(const Model& model, const Scene& scene) {
 }
 
 void Placer::place(const View& view, const DistanceFields& fields, const Values& values, Layout& layout,
-                   const ScopeVisibility* visibility) {
+                   const ScopeVisibility* visibility, const PlacedLine* held) {
   State& s = *state_;
   s.recycle(layout);
   layout.view = view;
@@ -160,7 +162,13 @@ void Placer::place(const View& view, const DistanceFields& fields, const Values&
   for (std::size_t i = 0; i < s.scopes.size(); ++i) {
     if (s.seen[i] != 0) layout.visibleScopes.push_back(i);
   }
-  for (Measured& measured : s.order) s.placeParameter(measured, view, fields, values.at(measured.parameter), layout);
+  for (Measured& measured : s.order) {
+    if (held != nullptr && held->parameter == measured.parameter) {
+      s.landHeld(*held, layout);
+    } else {
+      s.placeParameter(measured, view, fields, values.at(measured.parameter), layout);
+    }
+  }
 }
 
 void Placer::State::findVisible(const View& view, const ScopeVisibility* visibility) {
@@ -346,7 +354,7 @@ int Placer::State::guideOf(const Candidate& winner) {
   return winner.guide >= 0 ? winner.guide : guides.add(winner.plane.plane, winner.line);
 }
 
-/// Writes the winner into the layout, and into everything that later lines look at (silhouette updating, paper 4.5).
+/// Writes the winner's lines into the layout.
 void Placer::State::land(const Candidate& winner, const Measured& measured, double value, Layout& layout) {
   const int guide = guideOf(winner);
   const bool inside = winner.placement == PlacementKind::kInside;
@@ -381,16 +389,39 @@ void Placer::State::land(const Candidate& winner, const Measured& measured, doub
     line.handles.push_back({true, member.lineScreen.end});
     if (measured.annotation.ends == HandleEnds::kBoth) line.handles.push_back({false, member.lineScreen.start});
 
-    landed.add(line, guide);
-    if (inside) continue;   // inside the silhouette there is nothing to pull in
-    Guide& carrier = guides[static_cast<std::size_t>(guide)];
-    const auto [from, to] = std::minmax({carrier.metresAt(member.line.start), carrier.metresAt(member.line.end)});
-    carrier.taken.add(from, to);
-    pullIn(padded, line.lineScreen, kHandleSpacingPx);
-    pullIn(padded, Segment2{member.baseScreen.start, member.lineScreen.start}, kExtensionClearancePx);
-    pullIn(padded, Segment2{member.baseScreen.end, member.lineScreen.end}, kExtensionClearancePx);
-    if (line.label) pullIn(padded, *line.label, kLabelClearancePx);
+    occupy(line, guide);
   }
+}
+
+/// A line that is being dragged stays on its carrier, whatever this frame would have chosen for it.
+void Placer::State::landHeld(const PlacedLine& held, Layout& layout) {
+  lastFrame[held.parameter] = held.identity;
+  int guide = -1;
+  if (held.placement != PlacementKind::kInside) {
+    const Vec3 along = glm::normalize(held.line.end - held.line.start);
+    for (std::size_t i = 0; i < guides.size() && guide < 0; ++i) {
+      const bool onPlane = liesOn(guides[i], held.plane, along, modelSizeM);
+      const Vec3 aside = held.line.start - guides[i].point - guides[i].along * guides[i].metresAt(held.line.start);
+      if (onPlane && glm::length(aside) <= kSamePlaneDistance * modelSizeM) guide = static_cast<int>(i);
+    }
+    if (guide < 0) guide = guides.add(held.plane, held.line);
+  }
+  PlacedLine& line = appendLine(layout);
+  line = held;
+  occupy(line, guide);
+}
+
+/// Puts a line into everything that later lines look at (silhouette updating, paper 4.5).
+void Placer::State::occupy(const PlacedLine& line, int guide) {
+  landed.add(line, guide);
+  if (guide < 0) return;   // inside the silhouette there is nothing to pull in
+  Guide& carrier = guides[static_cast<std::size_t>(guide)];
+  const auto [from, to] = std::minmax({carrier.metresAt(line.line.start), carrier.metresAt(line.line.end)});
+  carrier.taken.add(from, to);
+  pullIn(padded, line.lineScreen, kHandleSpacingPx);
+  pullIn(padded, Segment2{line.baseScreen.start, line.lineScreen.start}, kExtensionClearancePx);
+  pullIn(padded, Segment2{line.baseScreen.end, line.lineScreen.end}, kExtensionClearancePx);
+  if (line.label) pullIn(padded, *line.label, kLabelClearancePx);
 }
 
 PlacedLine& Placer::State::appendLine(Layout& layout) {

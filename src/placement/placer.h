@@ -27,9 +27,10 @@ class Placer {
   void forget();
 
   /// One frame. `fields` are the model's own, of the same viewport as `view`; `visibility` says how much of each of the scene's scopes is seen, from
-  /// this frame or a recent one (null: nothing is hidden by the model). `values` are what the labels say.
+  /// this frame or a recent one (null: nothing is hidden by the model). `values` are what the labels say. `held`: a line that is being dragged and
+  /// no member of a chain; at its parameter's turn it is taken as it is, and later lines keep clear of it as of any other.
   void place(const View& view, const DistanceFields& fields, const Values& values, Layout& layout,
-             const ScopeVisibility* visibility = nullptr);
+             const ScopeVisibility* visibility = nullptr, const PlacedLine* held = nullptr);
 
  private:
   struct State;
