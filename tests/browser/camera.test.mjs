@@ -1,0 +1,212 @@
+// The camera under the visitor's hand: mouse, touch, wheel, keys and buttons.
+import assert from "node:assert/strict";
+import { after, before, beforeEach, test } from "node:test";
+import { call, cameraOf, distance, launch, layoutOf, openPage, pictureBox, settle } from "./support/page.mjs";
+
+let browser, tab, page, home, free;
+before(async () => {
+  browser = await launch();
+  tab = await openPage(browser, { touch: true });
+  page = tab.page;
+  home = await cameraOf(page);
+  free = await freeSpot();
+});
+after(async () => {
+  await browser?.close();
+});
+beforeEach(async () => {
+  await call(page, "setCamera", home);
+  await settle(page);
+});
+
+/** A place in the picture, in the window's pixels, that is far from every handle and label. */
+async function freeSpot() {
+  const box = await pictureBox(page);
+  const frame = await layoutOf(page);
+  const handles = frame.lines.flatMap((line) => line.handles.map((handle) => handle.screen));
+  let best = null;
+  for (let x = 60; x < box.width - 60; x += 20) {
+    for (let y = 60; y < box.height - 60; y += 20) {
+      const clearance = Math.min(...handles.map((handle) => distance(handle, [x, y])));
+      const toMiddle = Math.hypot(x - box.width / 2, y - box.height / 2);
+      if (clearance > 60 && (!best || toMiddle < best.toMiddle)) best = { toMiddle, at: [box.x + x, box.y + y] };
+    }
+  }
+  return best.at;
+}
+
+async function mouseDrag(from, travel, options = {}) {
+  const keys = options.keys ?? [];
+  for (const key of keys) await page.keyboard.down(key);
+  await page.mouse.move(...from);
+  await page.mouse.down({ button: options.button ?? "left" });
+  await page.mouse.move(from[0] + travel[0], from[1] + travel[1], { steps: 8 });
+  await page.mouse.up({ button: options.button ?? "left" });
+  for (const key of keys) await page.keyboard.up(key);
+  await settle(page);
+}
+
+const subtract = (a, b) => a.map((value, i) => value - b[i]);
+const range = (camera) => Math.hypot(...subtract(camera.eye, camera.target));
+const azimuthDeg = (camera) => (Math.atan2(camera.eye[0] - camera.target[0], camera.eye[2] - camera.target[2]) * 180) / Math.PI;
+const near = (actual, expected, tolerance, what) =>
+  assert.ok(Math.abs(actual - expected) <= tolerance, `${what}: ${actual} instead of ${expected} ± ${tolerance}`);
+
+/** Where the world point is in the picture, by the layout's own matrices. */
+function project(frame, point) {
+  const multiply = (m, v) => [0, 1, 2, 3].map((row) => [0, 1, 2, 3].reduce((sum, column) => sum + m[column * 4 + row] * v[column], 0));
+  const clip = multiply(frame.projection, multiply(frame.view, [...point, 1]));
+  return [((clip[0] / clip[3] + 1) / 2) * frame.size[0], ((1 - clip[1] / clip[3]) / 2) * frame.size[1]];
+}
+
+test("a mouse drag orbits: the target and the distance stay, a viewport's height is a whole turn", async () => {
+  const { height } = await pictureBox(page);
+  await mouseDrag(free, [height / 8, 0]);
+  const camera = await cameraOf(page);
+  assert.deepEqual(camera.target, home.target);
+  near(range(camera), range(home), 1e-6 * range(home), "distance");
+  near(((azimuthDeg(home) - azimuthDeg(camera)) + 720) % 360, 45, 1, "turned by");
+  assert.ok(Math.abs(camera.eye[1] - home.eye[1]) < 1e-6, "a level drag keeps the height");
+});
+
+test("orbiting never turns the picture over", async () => {
+  const { height } = await pictureBox(page);
+  await mouseDrag(free, [0, Math.min(height * 0.4, 300)]);
+  await mouseDrag(free, [0, Math.min(height * 0.4, 300)]);
+  const camera = await cameraOf(page);
+  assert.ok(camera.eye[1] > camera.target[1]);
+  assert.ok(Object.values(camera).flat().every(Number.isFinite));
+});
+
+test("the secondary button, and the primary one with Shift, pan: what is at the target stays under the pointer", async () => {
+  for (const options of [{ button: "right" }, { keys: ["Shift"] }, { keys: ["Control"] }]) {
+    await call(page, "setCamera", home);
+    await settle(page);
+    const before = project(await layoutOf(page), home.target);
+    await mouseDrag(free, [70, -40], options);
+    const frame = await layoutOf(page);
+    const after = project(frame, home.target);
+    near(after[0] - before[0], 70, 1, `pan in x by ${JSON.stringify(options)}`);
+    near(after[1] - before[1], -40, 1, `pan in y by ${JSON.stringify(options)}`);
+    near(range(await cameraOf(page)), range(home), 1e-6 * range(home), "distance");
+  }
+});
+
+test("the wheel zooms, at the pointer, and the page does not scroll", async () => {
+  const scrolled = () => page.evaluate(() => [scrollX, scrollY, document.querySelector(".scroller").scrollTop]);
+  const before = await scrolled();
+  await page.mouse.move(...free);
+  await page.mouse.wheel(0, -300);
+  await settle(page);
+  const nearer = await cameraOf(page);
+  assert.ok(range(nearer) < 0.95 * range(home), `from ${range(home)} to ${range(nearer)} m`);
+  await page.mouse.wheel(0, 300);
+  await settle(page);
+  near(range(await cameraOf(page)), range(home), 0.01 * range(home), "back again");
+  assert.deepEqual(await scrolled(), before);
+});
+
+test("one finger orbits", async () => {
+  await touchGesture([[free]], [[[free[0] + 80, free[1]]]]);
+  const camera = await cameraOf(page);
+  assert.deepEqual(camera.target, home.target);
+  assert.ok(Math.abs(azimuthDeg(camera) - azimuthDeg(home)) > 5);
+});
+
+test("two fingers pinch: spreading them to twice the distance doubles the picture", async () => {
+  const [x, y] = free;
+  const frame = await layoutOf(page);
+  const sample = frame.lines[0].base.world;
+  const sizeOf = (f) => distance(project(f, sample[0]), project(f, sample[1]));
+  await touchGesture([[[x - 40, y], [x + 40, y]]], [[[x - 80, y], [x + 80, y]]]);
+  const zoom = sizeOf(await layoutOf(page)) / sizeOf(frame);
+  assert.ok(zoom > 1.5 && zoom < 3, `the picture grew by ${zoom}`);
+});
+
+test("two fingers side by side pan", async () => {
+  const [x, y] = free;
+  const before = project(await layoutOf(page), home.target);
+  await touchGesture([[[x - 30, y], [x + 30, y]]], [[[x + 20, y + 30], [x + 80, y + 30]]]);
+  const after = project(await layoutOf(page), home.target);
+  near(after[0] - before[0], 50, 6, "pan in x");
+  near(after[1] - before[1], 30, 6, "pan in y");
+});
+
+/** Fingers go down at `from`, move to `to` in eight steps, and up. */
+async function touchGesture([from], [to]) {
+  const session = await page.context().newCDPSession(page);
+  const points = (share) => from.map(([x, y], i) => ({ id: i, x: x + (to[i][0] - x) * share, y: y + (to[i][1] - y) * share }));
+  await session.send("Input.dispatchTouchEvent", { type: "touchStart", touchPoints: points(0) });
+  for (let i = 1; i <= 8; ++i) await session.send("Input.dispatchTouchEvent", { type: "touchMove", touchPoints: points(i / 8) });
+  await session.send("Input.dispatchTouchEvent", { type: "touchEnd", touchPoints: [] });
+  await session.detach();
+  await settle(page);
+}
+
+test("the view buttons look along the axes, and fit shows the whole model", async () => {
+  const directionOf = async () => {
+    const { eye, target } = await cameraOf(page);
+    return subtract(eye, target).map((v) => v / Math.hypot(...subtract(eye, target)));
+  };
+  for (const [view, axis] of [["front", [0, 0, 1]], ["right", [1, 0, 0]], ["top", [0, 1, 0]]]) {
+    await page.click(`[data-view="${view}"]`);
+    await settle(page);
+    const direction = await directionOf();
+    assert.ok(distance(direction, axis) < 0.01 && Math.abs(direction[2] - axis[2]) < 0.01, `${view}: from ${direction}`);
+  }
+  await page.click('[data-view="three-quarter"]');
+  await settle(page);
+  await page.mouse.move(...free);
+  await page.mouse.wheel(0, -2000);
+  await page.click("#fit");
+  await settle(page);
+  const frame = await layoutOf(page);
+  for (const line of frame.lines) {
+    for (const [x, y] of line.base.screen) {
+      assert.ok(x > 0 && y > 0 && x < frame.size[0] && y < frame.size[1], `${line.parameter} is cut off`);
+    }
+  }
+});
+
+test("keys: F fits, 1 is the front, 5 changes the projection; in a text field they are text", async () => {
+  await page.locator("dimline-editor").locator("canvas").focus();
+  await page.keyboard.press("1");
+  await settle(page);
+  const front = await cameraOf(page);
+  assert.ok(Math.abs(front.eye[0] - front.target[0]) < 1e-6 * range(front));
+  await page.keyboard.press("5");
+  await settle(page);
+  assert.ok((await cameraOf(page)).orthoHeight > 0);
+  await page.keyboard.press("5");
+  await settle(page);
+  assert.equal((await cameraOf(page)).orthoHeight, undefined);
+  await page.mouse.move(...free);
+  await page.mouse.wheel(0, 3000);
+  await settle(page);
+  const far = range(await cameraOf(page));
+  await page.keyboard.press("f");
+  await settle(page);
+  assert.ok(range(await cameraOf(page)) < far);
+
+  const before = await cameraOf(page);
+  await page.locator("#panel input[type=number]").first().focus();
+  await page.keyboard.type("7");
+  await page.keyboard.press("Escape");
+  await settle(page);
+  assert.deepEqual(await cameraOf(page), before);
+});
+
+test("what is seen at the target keeps its size when the projection changes", async () => {
+  const before = await layoutOf(page);
+  const up = home.target.map((v, i) => v + (i === 1 ? 1 : 0));
+  const size = (frame) => distance(project(frame, home.target), project(frame, up));
+  await page.click("#projection");
+  await settle(page);
+  near(size(await layoutOf(page)), size(before), 0.05 * size(before), "a metre at the target");
+  await page.click("#projection");
+  await settle(page);
+});
+
+test("nothing of all this made the page complain", () => {
+  assert.deepEqual(tab.complaints, []);
+});

@@ -1,0 +1,111 @@
+// The two producers of the fields in the page: what WebGL measures against what the CPU does (DESIGN.md section 5).
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { covered, nativeLayout } from "./support/native.mjs";
+import { call, openPage, pictureBox, settle, withBrowser } from "./support/page.mjs";
+
+const kCameras = 50;
+
+/** Cameras all round the house: from far and near, high and low, both projections, some with parts out of view. */
+function makeCameras() {
+  const cameras = [];
+  for (let i = 0; i < kCameras; ++i) {
+    // The golden angle spreads directions evenly.
+    const azimuth = i * 2.399963;
+    const elevation = -0.05 + 1.3 * ((i * 0.618034) % 1);
+    const range = 14 + 26 * ((i * 0.414214) % 1);
+    const target = [((i * 0.31) % 1) * 4 - 2, 3 + ((i * 0.73) % 1) * 2 - 1, ((i * 0.57) % 1) * 4 - 2];
+    const eye = [
+      target[0] + range * Math.cos(elevation) * Math.sin(azimuth),
+      target[1] + range * Math.sin(elevation),
+      target[2] + range * Math.cos(elevation) * Math.cos(azimuth),
+    ];
+    cameras.push({ eye, target, up: [0, 1, 0], ...(i % 5 === 4 ? { orthoHeight: 10 + range / 4 } : { fovDeg: 25 + (i % 7) * 6 }) });
+  }
+  return cameras;
+}
+
+// How to walk from a viewport's edge into the picture along one row or column.
+const kSides = {
+  left: (size, i, d) => [d, i],
+  right: (size, i, d) => [size.width - 1 - d, i],
+  top: (size, i, d) => [i, d],
+  bottom: (size, i, d) => [i, size.height - 1 - d],
+};
+
+/** Whether the model has a part of two by two whole pixels between two depths of a row (or column), or one beside it. */
+function hasThickPart(mask, side, i, from, to) {
+  const at = (row, d) => covered(mask, ...kSides[side](mask, row, d));
+  for (let row = i - 1; row <= i; ++row) {
+    for (let d = Math.max(0, Math.floor(from)); d + 1 < to; ++d) {
+      if (at(row, d) && at(row + 1, d) && at(row, d + 1) && at(row + 1, d + 1)) return true;
+    }
+  }
+  return false;
+}
+
+for (const dpr of [1, 1.5, 3]) {
+  test(`${kCameras} cameras at ${dpr} device pixels per CSS pixel`, async () => {
+    await withBrowser(async (browser) => {
+      const { page, complaints } = await openPage(browser, { width: 840, height: 456, dpr });
+      const box = await pictureBox(page);
+      const cameras = makeCameras();
+      const measured = [];
+      for (const camera of cameras) {
+        await call(page, "setCamera", camera);
+        await settle(page);
+        measured.push({ cpu: await call(page, "measureFields", "cpu"), gpu: await call(page, "measureFields", "gpu") });
+      }
+      const { masks } = await nativeLayout("house", cameras, { width: box.width, height: box.height });
+
+      let compared = 0;
+      let thin = 0;
+      measured.forEach(({ cpu, gpu }, c) => {
+        assert.deepEqual([cpu.width, cpu.height, gpu.width, gpu.height], [box.width, box.height, box.width, box.height]);
+        for (const side of Object.keys(kSides)) {
+          const count = side === "left" || side === "right" ? box.height : box.width;
+          const extent = side === "left" || side === "right" ? box.width : box.height;
+          assert.equal(cpu[side].length, count);
+          assert.equal(gpu[side].length, count);
+          for (let i = 0; i < count; ++i) {
+            // Where there is no silhouette the field lies behind the opposite edge.
+            const near = cpu[side][i] ?? extent;
+            const far = gpu[side][i] ?? extent;
+            const where = `camera ${c}, ${side} ${i}: cpu ${cpu[side][i]}, gpu ${gpu[side][i]}`;
+            if (cpu[side][i] !== null || gpu[side][i] !== null) ++compared;
+            assert.ok(near <= far + 1, `${where}: the CPU's field is farther from the edge`);
+            if (near >= far - 1) continue;
+            ++thin;
+            assert.ok(!hasThickPart(masks[c], side, i, near, far), `${where}: the GPU missed a part that is 2 px wide`);
+          }
+        }
+      });
+      assert.ok(compared > 0.2 * kCameras * 2 * (box.width + box.height), `only ${compared} rows and columns held anything`);
+      assert.ok(thin < 0.03 * compared, `${thin} of ${compared} rows and columns differ`);
+      assert.deepEqual(complaints, []);
+    });
+  });
+}
+
+test("the page can be told which producer to use", async () => {
+  await withBrowser(async (browser) => {
+    const { page } = await openPage(browser, { width: 900, height: 600 });
+    const layouts = {};
+    for (const producer of ["cpu", "gpu"]) {
+      await page.evaluate((name) => (document.querySelector("dimline-editor").fieldsFrom = name), producer);
+      await settle(page);
+      assert.equal(await page.evaluate(() => document.querySelector("dimline-editor").fieldsFrom), producer);
+      layouts[producer] = await call(page, "layout");
+    }
+    assert.deepEqual(layouts.gpu.lines.map((l) => l.parameter).sort(), layouts.cpu.lines.map((l) => l.parameter).sort());
+    const message = await page.evaluate(() => {
+      try {
+        document.querySelector("dimline-editor").fieldsFrom = "abacus";
+        return "no error";
+      } catch (error) {
+        return error.message;
+      }
+    });
+    assert.match(message, /abacus/);
+  });
+});

@@ -1,0 +1,188 @@
+// The page around the picture: the panel's form controls, the toolbar, and how it fits small and large windows.
+import assert from "node:assert/strict";
+import { after, before, test } from "node:test";
+import { call, launch, layoutOf, openPage, pictureBox, screenshot, settle, valueOf } from "./support/page.mjs";
+import { colourStatistics, decodePng } from "./support/png.mjs";
+
+let browser, tab, page;
+before(async () => {
+  browser = await launch();
+  tab = await openPage(browser);
+  page = tab.page;
+});
+after(async () => {
+  await browser?.close();
+});
+
+const parameters = () => call(page, "getParameters");
+const row = (name) => page.locator(`[data-name="${name}"].row`);
+
+test("the page opens under its strict policy without a complaint, and shows a picture", async () => {
+  const response = await page.request.get(page.url());
+  const policy = response.headers()["content-security-policy"];
+  assert.match(policy, /script-src 'self' 'wasm-unsafe-eval'(;|$)/);
+  assert.match(policy, /style-src 'self'(;|$)/);
+  const { colours, commonest } = colourStatistics(decodePng(await screenshot(page, "opening", { clip: await pictureBox(page) })));
+  assert.ok(colours > 30 && commonest < 0.95, `${colours} colours, one of them on ${(commonest * 100).toFixed(0)} %`);
+  assert.deepEqual(tab.complaints, []);
+});
+
+test("every parameter has a labelled control with its value, its unit and its help", async () => {
+  for (const p of await parameters()) {
+    const controls = row(p.name).locator("input, select");
+    assert.ok((await controls.count()) > 0, p.name);
+    const described = row(p.name).locator("[aria-describedby]").first();
+    const help = await page.locator(`#${await described.getAttribute("aria-describedby")}`).textContent();
+    assert.equal(help, p.help);
+    if (["float", "int", "angle"].includes(p.type)) {
+      const number = page.getByLabel(p.title, { exact: true }).and(page.locator("input[type=number]"));
+      const slider = page.getByLabel(p.title, { exact: true }).and(page.locator("input[type=range]"));
+      assert.equal(Number(await number.inputValue()), p.value, p.name);
+      assert.equal(Number(await slider.inputValue()), p.value, p.name);
+      assert.deepEqual([await slider.getAttribute("min"), await slider.getAttribute("max")].map(Number), [p.min, p.max]);
+    } else if (p.type === "bool") {
+      assert.equal(await page.getByRole("switch", { name: p.title }).isChecked(), p.value);
+    } else {
+      assert.equal(await page.getByRole("radiogroup", { name: p.title }).getByRole("radio", { checked: true }).getAttribute("value"), p.value);
+    }
+  }
+  const groups = await page.locator("#panel h2").allTextContents();
+  assert.deepEqual(groups, [...new Set((await parameters()).map((p) => p.group))]);
+});
+
+test("a slider in motion changes the house as it moves, and is one undo step", async () => {
+  const start = await valueOf(page, "Width");
+  const slider = row("Width").locator("input[type=range]");
+  const box = await slider.boundingBox();
+  await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
+  await page.mouse.down();
+  const values = [];
+  for (const share of [0.6, 0.7, 0.8, 0.9]) {
+    await page.mouse.move(box.x + box.width * share, box.y + box.height / 2);
+    await settle(page);
+    values.push(await valueOf(page, "Width"));
+    const line = (await layoutOf(page)).lines.find((l) => l.parameter === "Width");
+    assert.equal(line.value, values.at(-1), "the picture is behind");
+    assert.equal(Number(await row("Width").locator("input[type=number]").inputValue()), values.at(-1));
+  }
+  await page.mouse.up();
+  assert.ok(new Set(values).size === 4 && values.every((v, i) => i === 0 || v > values[i - 1]), `${values}`);
+  await page.click("#undo");
+  await settle(page);
+  assert.equal(await valueOf(page, "Width"), start);
+  assert.equal(Number(await slider.inputValue()), start);
+  await page.click("#redo");
+  await settle(page);
+  assert.equal(await valueOf(page, "Width"), values.at(-1));
+});
+
+test("a typed number is taken, clamped, and nonsense is put back", async () => {
+  const { min, max } = (await parameters()).find((p) => p.name === "Depth");
+  const number = row("Depth").locator("input[type=number]");
+  for (const [typed, expected] of [["9.37", 9.37], ["1000", max], ["-3", min], ["", min]]) {
+    await number.fill(typed);
+    await number.press("Enter");
+    await settle(page);
+    assert.equal(await valueOf(page, "Depth"), expected, `typed "${typed}"`);
+    assert.ok(Math.abs(Number(await number.inputValue()) - expected) < 0.051, `typed "${typed}", shown ${await number.inputValue()}`);
+  }
+  await number.fill("8");
+  await number.press("Escape");
+  assert.equal(await valueOf(page, "Depth"), min);
+  assert.equal(Number(await number.inputValue()), min);
+});
+
+test("switches and choices change the house", async () => {
+  const { name, title, value } = (await parameters()).find((p) => p.type === "bool");
+  await page.getByRole("switch", { name: title }).click();
+  await settle(page);
+  assert.equal(await valueOf(page, name), !value);
+  const choice = (await parameters()).find((p) => p.type === "choice");
+  for (const option of choice.choices) {
+    await row(choice.name).locator(`input[value="${option}"]`).click();
+    await settle(page);
+    assert.equal(await valueOf(page, choice.name), option);
+  }
+});
+
+test("reset brings back one value, reset all brings back all, and both can be undone", async () => {
+  const changed = (await parameters()).filter((p) => p.value !== p.default);
+  assert.ok(changed.length >= 3);
+  const [first] = changed;
+  await page.getByRole("button", { name: `Reset ${first.title}`, exact: true }).click();
+  await settle(page);
+  assert.equal(await valueOf(page, first.name), first.default);
+  await page.click("#reset-all");
+  await settle(page);
+  assert.ok((await parameters()).every((p) => p.value === p.default));
+  assert.ok(await page.isDisabled("#reset-all"));
+  assert.ok(await page.getByRole("button", { name: `Reset ${first.title}`, exact: true, includeHidden: true }).isDisabled());
+  await page.click("#undo");
+  await settle(page);
+  assert.equal((await parameters()).filter((p) => p.value !== p.default).length, changed.length - 1);
+  await page.click("#reset-all");
+  await settle(page);
+});
+
+test("everything that can be clicked has a name and is at least 24 px in both directions", async () => {
+  const small = await page.evaluate(() => [...document.querySelectorAll("button, input, select")].filter((node) => node.checkVisibility({ visibilityProperty: true })).flatMap((node) => {
+    const { width, height } = node.getBoundingClientRect();
+    const name = node.getAttribute("aria-label") ?? node.labels?.[0]?.textContent ?? node.textContent;
+    return name?.trim() && width >= 23.5 && height >= 23.5 ? [] : [`${node.outerHTML.slice(0, 90)} ${width} x ${height}`];
+  }));
+  assert.deepEqual(small, []);
+});
+
+test("reloading starts anew, without a complaint", async () => {
+  await call(page, "setParameters", { Width: 9 });
+  await settle(page);
+  await page.reload();
+  await page.evaluate(() => document.querySelector("dimline-editor").ready);
+  await settle(page);
+  const width = (await parameters()).find((p) => p.name === "Width");
+  assert.equal(width.value, width.default);
+  assert.deepEqual(tab.complaints, []);
+});
+
+for (const [name, width, height, dpr, touch] of [["phone", 360, 740, 3, true], ["landscape phone", 740, 360, 2, true], ["tablet", 768, 1024, 1.5, true], ["4K", 3840, 2160, 1, false]]) {
+  test(`${name}, ${width} x ${height}: nothing is cut off, the picture dominates, and lines are shown`, async () => {
+    const { page: other, complaints, close } = await openPage(browser, { width, height, dpr, touch });
+    const overflow = await other.evaluate(() => [document.documentElement.scrollWidth - innerWidth, document.documentElement.scrollHeight - innerHeight]);
+    assert.deepEqual(overflow, [0, 0], "the page scrolls");
+    const box = await pictureBox(other);
+    assert.ok(box.width * box.height > 0.4 * width * height, `the picture has ${box.width} x ${box.height}`);
+    assert.ok((await layoutOf(other)).lines.length >= 3);
+    const device = await other.evaluate(() => {
+      const canvas = document.querySelector("dimline-editor").shadowRoot.querySelector("canvas");
+      return [canvas.width, canvas.height];
+    });
+    assert.ok(Math.abs(device[0] - box.width * dpr) <= 1 && Math.abs(device[1] - box.height * dpr) <= 1, `the canvas has ${device} pixels`);
+    const cut = await other.evaluate(() => [...document.querySelectorAll(".views button, .history button, #title")].filter((node) => {
+      const r = node.getBoundingClientRect();
+      return r.right > innerWidth + 0.5 || r.bottom > innerHeight + 0.5 || r.left < 0 || r.top < 0;
+    }).map((node) => node.id || node.dataset.view));
+    assert.deepEqual(cut, []);
+    if (touch) {
+      const narrowTargets = await other.evaluate(() => [...document.querySelectorAll("#panel input[type=range], .views button, .history button")].filter((n) => n.getBoundingClientRect().height < 40).length);
+      assert.equal(narrowTargets, 0, "targets for fingers are too small");
+    }
+    await screenshot(other, `size-${name.replace(" ", "-")}`);
+    assert.deepEqual(complaints, []);
+    await close();
+  });
+}
+
+test("the phone's sheet folds away and gives its room to the picture", async () => {
+  const { page: phone, close } = await openPage(browser, { width: 360, height: 740, touch: true });
+  const before = await pictureBox(phone);
+  await phone.tap("#fold");
+  await settle(phone);
+  const folded = await pictureBox(phone);
+  assert.ok(folded.height > before.height + 150);
+  assert.equal(await phone.getAttribute("#fold", "aria-expanded"), "false");
+  assert.deepEqual((await layoutOf(phone)).size, [folded.width, folded.height]);
+  await phone.tap("#fold");
+  await settle(phone);
+  assert.deepEqual(await pictureBox(phone), before);
+  await close();
+});

@@ -1,0 +1,110 @@
+// Opens the page in headless Chromium with software WebGL, and keeps what it complains of.
+import assert from "node:assert/strict";
+import { chromium } from "playwright-core";
+
+const kChromiumArguments = [
+  "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--no-sandbox", "--disable-dev-shm-usage", "--disable-quic", "--no-first-run",
+  "--disable-background-networking", "--disable-component-update", "--disable-sync",
+];
+
+// Starting the core and drawing the first frame takes a second or two on software GL, and far longer on a busy machine.
+const kPatienceMs = 60_000;
+
+export function pageUrl(path = "") {
+  assert.ok(process.env.DIMLINE_URL, "DIMLINE_URL is not set: run the browser tests by python3 tools/test.py --only browser");
+  return new URL(path, process.env.DIMLINE_URL).href;
+}
+
+/** One browser for the tests of a file; `moreArguments` go to Chromium. */
+export async function launch(moreArguments = []) {
+  return chromium.launch({
+    executablePath: process.env.DIMLINE_CHROMIUM || "/usr/bin/chromium",
+    args: [...kChromiumArguments, ...moreArguments],
+  });
+}
+
+/** Runs `body` with a browser that is closed in any case. */
+export async function withBrowser(body, moreArguments) {
+  const browser = await launch(moreArguments);
+  try {
+    return await body(browser);
+  } finally {
+    await browser.close();
+  }
+}
+
+/**
+ * A tab with the page in it.
+ * @param {import("playwright-core").Browser} browser
+ * @param {object} [options] width, height: of the window in CSS px; dpr: device pixels per CSS pixel; touch: as on a phone;
+ *   path: what to open; prepare: called with the tab before it loads anything; reducedMotion; waitReady: false leaves it loading
+ * @returns {Promise<{page: import("playwright-core").Page, complaints: string[], close: () => Promise<void>}>}
+ *   complaints: console errors and warnings, uncaught exceptions and refused requests so far
+ */
+export async function openPage(browser, options = {}) {
+  const { width = 1280, height = 800, dpr = 1, touch = false, path = "", prepare, reducedMotion = "no-preference", waitReady = true } = options;
+  const context = await browser.newContext({
+    viewport: { width, height }, deviceScaleFactor: dpr, hasTouch: touch, isMobile: touch, reducedMotion,
+  });
+  const page = await context.newPage();
+  page.setDefaultTimeout(kPatienceMs);
+  const complaints = [];
+  page.on("console", (message) => {
+    if (message.type() === "error" || message.type() === "warning") complaints.push(`${message.type()}: ${message.text()}`);
+  });
+  page.on("pageerror", (error) => complaints.push(`uncaught: ${error.stack ?? error.message}`));
+  page.on("requestfailed", (request) => complaints.push(`failed: ${request.url()} ${request.failure()?.errorText}`));
+  await prepare?.(page);
+  await page.goto(pageUrl(path));
+  if (waitReady) {
+    await page.evaluate(() => document.querySelector("dimline-editor").ready);
+    await settle(page);
+  }
+  return { page, complaints, close: () => context.close() };
+}
+
+/** Calls a method of the element, and gives back what it returns. */
+export function call(page, method, ...args) {
+  return page.evaluate(([name, list]) => document.querySelector("dimline-editor")[name](...list), [method, args]);
+}
+
+export const settle = (page) => call(page, "settled");
+export const layoutOf = (page) => call(page, "layout");
+export const cameraOf = (page) => call(page, "getCamera");
+
+export async function valueOf(page, name) {
+  const parameter = (await call(page, "getParameters")).find((p) => p.name === name);
+  assert.ok(parameter, `there is no parameter ${name}`);
+  return parameter.value;
+}
+
+/** Where the picture lies in the window: {x, y, width, height} in CSS pixels. */
+export const pictureBox = (page) => page.locator("dimline-editor").boundingBox();
+
+/** The line of a parameter in a layout, and the handle that can be dragged. */
+export function lineOf(layout, parameter) {
+  const line = layout.lines.find((candidate) => candidate.parameter === parameter);
+  const hidden = layout.hidden.find((entry) => entry.parameter === parameter);
+  assert.ok(line, `${parameter} has no line${hidden ? `: ${hidden.reason}` : ""}`);
+  return line;
+}
+
+export const distance = (a, b) => Math.hypot(a[0] - b[0], a[1] - b[1]);
+
+/** Listens to the element from now on; the list grows in the page and is read by takeEvents. */
+export function recordEvents(page) {
+  return page.evaluate(() => {
+    window.recordedEvents = [];
+    const editor = document.querySelector("dimline-editor");
+    for (const type of ["load", "error", "input", "change", "camera-change"]) {
+      editor.addEventListener(type, (event) => event.target === editor && window.recordedEvents.push(type));
+    }
+  });
+}
+export const takeEvents = (page) => page.evaluate(() => window.recordedEvents.splice(0));
+
+/** A screenshot as PNG bytes, kept among the artifacts under that name. */
+export async function screenshot(page, name, options = {}) {
+  const folder = process.env.DIMLINE_ARTIFACTS;
+  return page.screenshot({ ...options, ...(folder ? { path: `${folder}/${name}.png` } : {}) });
+}

@@ -1,0 +1,264 @@
+/**
+ * The WebAssembly core as JavaScript uses it: one document, one camera, one frame loop (src/app/editor.h is its manual).
+ * Nothing here decides anything; values are checked, JSON becomes objects, and the core's sentences become Errors.
+ *
+ * Works in node too, where nothing is drawn and fields are measured on the CPU:
+ *
+ *     const core = await createCore();
+ *     core.setModel("house");
+ *     core.resize(1000, 1000, 1);
+ *     while (core.frame(performance.now()) || !core.atRest()) {}
+ *     core.layout();
+ *     core.dispose();
+ */
+
+const kModuleUrl = new URL("./build/dimline.js", import.meta.url).href;
+
+/**
+ * Loads the module and gives a core of its own, which must be disposed of. Each call is a WebAssembly instance by itself:
+ * when one fails or goes, no other is touched, and its memory goes with it.
+ *
+ * @param {object} [options]
+ * @param {string | URL} [options.url] where dimline.js lies, with dimline.wasm beside it; in build/ beside this file by default
+ */
+export async function createCore({ url = kModuleUrl } = {}) {
+  let createModule;
+  try {
+    ({ default: createModule } = await import(/* @vite-ignore */ String(url)));
+  } catch (cause) {
+    throw new Error(`The core could not be loaded from ${url}: is dimline.js there, and the network up?`, { cause });
+  }
+  if (typeof createModule !== "function") {
+    throw new Error(`${url} is not the Dimline core: it should export a function by default.`);
+  }
+  try {
+    return new Core(await createModule({}));
+  } catch (cause) {
+    throw new Error(`The core's dimline.wasm, beside ${url}, could not be loaded or started: ${cause?.message ?? cause}`, { cause });
+  }
+}
+
+export class Core {
+  #module;
+  #editor;
+  #contextHandle = 0;
+
+  constructor(module) {
+    this.#module = module;
+    this.#editor = new module.Editor();
+  }
+
+  /** Frees the document, and the GL objects when a context is attached. Nothing may be called afterwards. */
+  dispose() {
+    if (!this.#editor) return;
+    this.detachContext();
+    this.#editor.delete();
+    this.#editor = null;
+    this.#module = null;
+  }
+
+  // --- Document ---
+
+  /** The built-in models, in the order in which a menu shows them: [{name, title}]. */
+  models() {
+    return JSON.parse(this.#module.modelsJson());
+  }
+
+  setModel(name) {
+    check(this.#editor.setModel(String(name)));
+  }
+
+  /**
+   * Replaces the document by a glTF file.
+   * @param {string} name for messages
+   * @param {Uint8Array} bytes of the .gltf or .glb
+   * @param {Record<string, Uint8Array>} files what the .gltf names by relative URI
+   */
+  setGltf(name, bytes, files) {
+    check(this.#editor.setGltf(String(name), bytes, files));
+  }
+
+  parameters() {
+    return JSON.parse(this.#editor.parametersJson());
+  }
+
+  /** One undo step for all values together. */
+  setParameters(values) {
+    if (values === null || typeof values !== "object" || Array.isArray(values)) {
+      throw new Error('Parameters are set by an object of names and values, as in {"Width": 9}.');
+    }
+    for (const [name, value] of Object.entries(values)) checkValue(name, value);
+    check(this.#editor.setParametersJson(JSON.stringify(values)));
+  }
+
+  /** As setParameters for one value in motion: repeated calls are one undo step until endContinuous(). */
+  setParameterContinuous(name, value) {
+    checkValue(name, value);
+    check(this.#editor.setParameterContinuous(String(name), JSON.stringify(value)));
+  }
+
+  endContinuous() {
+    this.#editor.endContinuous();
+  }
+
+  undo() {
+    this.#editor.undo();
+  }
+  redo() {
+    this.#editor.redo();
+  }
+  get canUndo() {
+    return this.#editor.canUndo();
+  }
+  get canRedo() {
+    return this.#editor.canRedo();
+  }
+
+  // --- Viewport and camera ---
+
+  resize(widthCss, heightCss, devicePixelRatio) {
+    this.#editor.resize(widthCss, heightCss, devicePixelRatio);
+  }
+
+  camera() {
+    return JSON.parse(this.#editor.cameraJson());
+  }
+
+  setCamera(camera) {
+    if (camera === null || typeof camera !== "object" || Array.isArray(camera)) {
+      throw new Error('A camera is an object such as {"eye": [10, 8, 14], "target": [0, 3, 0], "fovDeg": 35}.');
+    }
+    check(this.#editor.setCameraJson(JSON.stringify(camera)));
+  }
+
+  fitToView() {
+    this.#editor.fitToView();
+  }
+
+  /** @param {"three-quarter" | "front" | "back" | "left" | "right" | "top"} name */
+  setStandardView(name) {
+    check(this.#editor.setStandardView(String(name)));
+  }
+
+  get orthographic() {
+    return this.#editor.isOrthographic();
+  }
+  set orthographic(on) {
+    this.#editor.setOrthographic(Boolean(on));
+  }
+
+  // --- Input; positions in CSS pixels from the canvas's top left. What it takes hold of: "handle", "camera" or "" ---
+
+  pointerDown(id, kind, button, x, y, modifiers) {
+    return this.#editor.pointerDown(id, kind, button, x, y, modifiers);
+  }
+  pointerMove(id, kind, button, x, y, modifiers) {
+    return this.#editor.pointerMove(id, kind, button, x, y, modifiers);
+  }
+  pointerUp(id, kind, button, x, y, modifiers) {
+    this.#editor.pointerUp(id, kind, button, x, y, modifiers);
+  }
+  hover(id, kind, button, x, y, modifiers) {
+    return this.#editor.hover(id, kind, button, x, y, modifiers);
+  }
+  endHover() {
+    this.#editor.endHover();
+  }
+  cancelGesture() {
+    this.#editor.cancelGesture();
+  }
+  wheel(x, y, deltaPx, modifiers) {
+    this.#editor.wheel(x, y, deltaPx, modifiers);
+  }
+
+  // --- Frames ---
+
+  /** Draws into this context from now on. A context that was attached before is let go. */
+  attachContext(gl) {
+    this.detachContext();
+    const { GL } = this.#module;
+    this.#contextHandle = GL.registerContext(gl, { majorVersion: 2, minorVersion: 0 });
+    GL.makeContextCurrent(this.#contextHandle);
+    const sentence = this.#editor.attachContext(this.#contextHandle);
+    if (sentence) this.#forgetContext();
+    check(sentence);
+  }
+
+  /** The context lives and is about to go: its objects are deleted. */
+  detachContext() {
+    if (!this.#contextHandle) return;
+    this.#editor.detachContext();
+    this.#forgetContext();
+  }
+
+  /** The context died, and its objects with it. */
+  contextLost() {
+    if (!this.#contextHandle) return;
+    this.#editor.contextLost();
+    this.#forgetContext();
+  }
+
+  #forgetContext() {
+    this.#module.GL.deleteContext(this.#contextHandle);
+    this.#contextHandle = 0;
+  }
+
+  /** Advances to the time and draws; true when another frame is wanted. */
+  frame(nowMs) {
+    return this.#editor.frame(nowMs);
+  }
+  get atRest() {
+    return this.#editor.atRest();
+  }
+
+  /** For people who asked their system for less motion: lines change place at once. */
+  set reducedMotion(on) {
+    this.#editor.setReducedMotion(Boolean(on));
+  }
+
+  layout() {
+    return JSON.parse(this.#editor.layoutJson());
+  }
+
+  /** What the DOM shows over the picture, as the last frame has it. */
+  labels() {
+    return JSON.parse(this.#editor.labelsJson());
+  }
+
+  /** What happened since the last call, in order: "input", "change", "camera-change", "load". */
+  takeEvents() {
+    return JSON.parse(this.#editor.eventsJson());
+  }
+
+  // --- For tests and measurements ---
+
+  /** Which producer measures the fields: "auto", "cpu" or "gpu". */
+  get fieldsFrom() {
+    return this.#editor.fieldsFrom();
+  }
+  set fieldsFrom(producer) {
+    check(this.#editor.setFieldsFrom(String(producer)));
+  }
+
+  /** The four fields of the camera at hand, measured now by "cpu" or "gpu"; blocks. Null when that producer is not to be had. */
+  measureFields(producer) {
+    return JSON.parse(this.#editor.fieldsJson(String(producer)));
+  }
+
+  timings() {
+    return JSON.parse(this.#editor.timingsJson());
+  }
+}
+
+function check(sentence) {
+  if (sentence) throw new Error(sentence);
+}
+
+// JSON has no NaN and no undefined: they are caught here, where the name is known.
+function checkValue(name, value) {
+  const usable = typeof value === "string" || typeof value === "boolean" || (typeof value === "number" && Number.isFinite(value));
+  if (!usable) {
+    const shown = typeof value === "object" && value !== null ? "an object" : String(value);
+    throw new Error(`Parameter "${name}" cannot be ${shown}: give a finite number, true or false, or the name of a choice.`);
+  }
+}

@@ -1,0 +1,125 @@
+/** Style of the element's shadow tree. A constructed sheet, so that a page's policy needs no 'unsafe-inline'. */
+export const kEditorCss = `
+:host {
+  --dimline-ink: #1f2933;
+  --dimline-accent: #c2410c;
+  --dimline-halo: #fff;
+  display: block;
+  position: relative;
+  height: 100%;
+  min-height: 240px;
+  overflow: hidden;
+  contain: layout paint style;
+  color: var(--dimline-ink);
+  font: 500 14px/1.45 "Dimline Label", "Barlow", system-ui, sans-serif;
+}
+:host([hidden]) { display: none; }
+
+.stage {
+  position: absolute;
+  inset: 0;
+  overflow: hidden;
+  touch-action: none;
+  -webkit-tap-highlight-color: transparent;
+  -webkit-touch-callout: none;
+  -webkit-user-select: none;
+  user-select: none;
+}
+.stage[data-cursor="handle"] { cursor: grab; }
+.stage[data-cursor="handle-held"], .stage[data-cursor="camera-held"] { cursor: grabbing; }
+
+canvas {
+  position: absolute;
+  inset: 0;
+  width: 100%;
+  height: 100%;
+  display: block;
+  outline: none;
+}
+canvas:focus-visible + .ring { opacity: 1; }
+.ring {
+  position: absolute;
+  inset: 3px;
+  border: 2px solid var(--dimline-accent);
+  border-radius: 4px;
+  opacity: 0;
+  pointer-events: none;
+}
+
+/* A label's box is the layout's: advance width by line height, without kerning, so that both agree to a fraction of a pixel. */
+.labels { position: absolute; inset: 0; pointer-events: none; }
+.label {
+  position: absolute;
+  left: 0;
+  top: 0;
+  font: 500 14px/16.8px "Dimline Label", "Barlow", system-ui, sans-serif;
+  font-kerning: none;
+  font-variant-ligatures: none;
+  letter-spacing: 0;
+  white-space: pre;
+  color: var(--dimline-ink);
+  text-shadow: 0 0 2px var(--dimline-halo), 1.5px 0 var(--dimline-halo), -1.5px 0 var(--dimline-halo),
+    0 1.5px var(--dimline-halo), 0 -1.5px var(--dimline-halo), 1px 1px var(--dimline-halo), -1px 1px var(--dimline-halo),
+    1px -1px var(--dimline-halo), -1px -1px var(--dimline-halo), 0 0 5px var(--dimline-halo);
+  -webkit-user-select: all;
+  user-select: all;
+  pointer-events: auto;
+  cursor: inherit;
+  border-radius: 2px;
+  outline: none;
+}
+.label:focus-visible { outline: 2px solid var(--dimline-accent); outline-offset: 4px; }
+.label[data-active] { color: var(--dimline-accent); }
+/* A line without a text is still a slider for keyboards and screen readers: a dot at its handle. */
+.label[data-textless] { width: 0; height: 0; overflow: hidden; }
+.label[data-textless]:focus-visible { overflow: visible; outline-offset: 12px; border-radius: 50%; }
+
+.tip {
+  position: absolute;
+  left: 0;
+  top: 0;
+  padding: 4px 9px 5px;
+  border-radius: 5px;
+  background: var(--dimline-ink);
+  color: #fff;
+  font-size: 13px;
+  line-height: 16px;
+  white-space: nowrap;
+  pointer-events: none;
+  opacity: 0;
+  transition: opacity 120ms;
+}
+.tip[data-shown] { opacity: 1; }
+
+.message {
+  position: absolute;
+  inset: 0;
+  display: grid;
+  place-content: center;
+  justify-items: center;
+  gap: 16px;
+  padding: 24px;
+  text-align: center;
+  background: linear-gradient(#f3f5f6, #fbfaf8);
+}
+.message[hidden] { display: none; }
+.message p { margin: 0; max-width: 44ch; font-size: 16px; overflow-wrap: anywhere; }
+.message button {
+  min-height: 44px;
+  padding: 0 22px;
+  border: 1px solid var(--dimline-ink);
+  border-radius: 6px;
+  background: #fff;
+  color: inherit;
+  font: inherit;
+  font-size: 16px;
+  cursor: pointer;
+}
+.message button:hover { background: var(--dimline-ink); color: #fff; }
+.message button:focus-visible { outline: 2px solid var(--dimline-accent); outline-offset: 2px; }
+.message button[hidden] { display: none; }
+
+@media (prefers-reduced-motion: reduce) {
+  .tip { transition: none; }
+}
+`;

@@ -1,0 +1,42 @@
+/** Fetches what a glTF document consists of: the file itself and, for a .gltf, the buffers and pictures that it names. */
+
+/** Whether a model's name is the address of a glTF file rather than the name of a built-in model. */
+export function isGltfUrl(name) {
+  return /\.(gltf|glb)$/i.test(name.split(/[?#]/, 1)[0]);
+}
+
+async function fetchBytes(url, signal) {
+  let response;
+  try {
+    response = await fetch(url, { signal });
+  } catch (cause) {
+    if (signal?.aborted) throw cause;
+    throw new Error(`${url} could not be fetched: is the address right, and does that server allow this page to read it?`, { cause });
+  }
+  if (!response.ok) throw new Error(`${url} could not be fetched: the server answered ${response.status} ${response.statusText}`.trim() + ".");
+  return new Uint8Array(await response.arrayBuffer());
+}
+
+/**
+ * @param {string} url of a .gltf or .glb, absolute
+ * @param {AbortSignal} [signal]
+ * @returns {Promise<{bytes: Uint8Array, files: Record<string, Uint8Array>}>} files: by the URI that the document uses
+ */
+export async function fetchGltf(url, signal) {
+  const bytes = await fetchBytes(url, signal);
+  const files = {};
+  const isBinary = bytes[0] === 0x67 && bytes[1] === 0x6c && bytes[2] === 0x54 && bytes[3] === 0x46; // "glTF"
+  if (isBinary) return { bytes, files };
+  let document;
+  try {
+    document = JSON.parse(new TextDecoder().decode(bytes));
+  } catch (cause) {
+    throw new Error(`${url} is neither a .glb nor the JSON of a .gltf: ${cause.message}.`, { cause });
+  }
+  const named = [...(document?.buffers ?? []), ...(document?.images ?? [])].map((entry) => entry?.uri);
+  const uris = new Set(named.filter((uri) => typeof uri === "string" && !uri.startsWith("data:")));
+  await Promise.all([...uris].map(async (uri) => {
+    files[uri] = await fetchBytes(new URL(uri, url).href, signal);
+  }));
+  return { bytes, files };
+}

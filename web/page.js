@@ -1,0 +1,126 @@
+import "./dimline_editor.js";
+import { Panel } from "./panel.js";
+
+const byId = (id) => document.getElementById(id);
+
+const editor = byId("editor");
+const panelNode = byId("panel");
+const projection = byId("projection");
+const modelMenu = byId("model-menu");
+const hint = byId("hint");
+const narrow = matchMedia("(max-width: 719px)");
+
+let sliding = false; // by a control of the panel
+
+const panel = new Panel(byId("parameters"), {
+  set: (values) => attempt(() => editor.setParameters(values)),
+  slide: (name, value) => {
+    sliding = true;
+    attempt(() => editor.setParameterContinuous(name, value));
+  },
+  endSlide: () => {
+    sliding = false;
+    attempt(() => editor.endContinuous());
+  },
+  refresh: (name) => attempt(() => panel.refresh(editor.getParameters().find((parameter) => parameter.name === name))),
+  help: (sentence) => (hint.textContent = sentence || hint.dataset.text),
+});
+
+// What the visitor does never throws into the void: after a failure the panel shows what holds.
+function attempt(action) {
+  try {
+    action();
+  } catch (error) {
+    say(error.message);
+  }
+}
+
+const kSentenceMs = 8000;
+let silence = 0;
+
+function say(sentence) {
+  byId("status").textContent = sentence;
+  clearTimeout(silence);
+  silence = setTimeout(() => (byId("status").textContent = ""), kSentenceMs);
+}
+
+function showHistory() {
+  byId("undo").disabled = !editor.canUndo;
+  byId("redo").disabled = !editor.canRedo;
+}
+
+function showValues(live) {
+  const parameters = editor.getParameters();
+  panel.show(parameters, live);
+  byId("reset-all").disabled = parameters.every((p) => p.value === p.default);
+  showHistory();
+}
+
+function showProjection() {
+  const { orthographic } = editor;
+  projection.setAttribute("aria-pressed", orthographic);
+  projection.querySelector("use").setAttribute("href", `assets/icons/icons.svg#${orthographic ? "orthographic" : "perspective"}`);
+}
+
+function showDocument() {
+  const models = editor.getModels();
+  const title = models.find((model) => model.name === editor.model)?.title ?? editor.model.split("/").pop();
+  byId("title").textContent = byId("document").textContent = title;
+  document.title = `${title} – Dimline`;
+  if (modelMenu.options.length !== models.length) {
+    modelMenu.replaceChildren(...models.map((model) => new Option(model.title, model.name)));
+    modelMenu.parentElement.hidden = models.length < 2;
+  }
+  modelMenu.value = editor.model;
+  panel.build(editor.getParameters());
+  panelNode.dataset.state = "ready";
+  for (const button of document.querySelectorAll(".views button")) button.disabled = false;
+  showValues(false);
+  showProjection();
+}
+
+function showFailure(error) {
+  say(error.message);
+  if (panelNode.dataset.state === "ready") return;
+  panelNode.dataset.state = "failed";
+}
+
+editor.addEventListener("load", showDocument);
+editor.addEventListener("error", (event) => showFailure(event.error));
+editor.addEventListener("input", () => showValues(!sliding));
+editor.addEventListener("change", () => showValues(false));
+editor.addEventListener("camera-change", showProjection);
+
+byId("undo").addEventListener("click", () => editor.undo());
+byId("redo").addEventListener("click", () => editor.redo());
+byId("fit").addEventListener("click", () => editor.fitToView());
+projection.addEventListener("click", () => {
+  editor.orthographic = !editor.orthographic;
+});
+for (const button of document.querySelectorAll("[data-view]")) {
+  button.addEventListener("click", () => editor.setView(button.dataset.view));
+}
+byId("reset-all").addEventListener("click", () => attempt(() => editor.setParameters(panel.defaults(editor.getParameters()))));
+modelMenu.addEventListener("change", () => {
+  editor.model = modelMenu.value;
+});
+
+// On a phone the panel is a sheet under the picture, which folds.
+const fold = byId("fold");
+fold.addEventListener("click", () => {
+  const open = fold.getAttribute("aria-expanded") !== "true";
+  fold.setAttribute("aria-expanded", open);
+  panelNode.toggleAttribute("data-folded", !open);
+});
+narrow.addEventListener("change", () => {
+  fold.setAttribute("aria-expanded", true);
+  panelNode.removeAttribute("data-folded");
+});
+
+// The editor's keys work wherever the focus is, except where keys mean text or a value.
+document.addEventListener("keydown", (event) => {
+  const target = event.target;
+  const typing = target instanceof HTMLElement && target.matches("input:not([type=range], [type=checkbox], [type=radio]), select, textarea");
+  if (typing || target === editor) return;
+  attempt(() => editor.handleKey(event));
+});
