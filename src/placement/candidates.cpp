@@ -39,20 +39,35 @@ bool foreshortened(const Segment& s, const View& view) {
 }
 
 /// A candidate of `base` on `plane`, not placed yet.
-Candidate unplaced(const UsableBaseLine& base, const SlipPlane& plane, int direction, std::int32_t parameter) {
+Candidate unplaced(const UsableBaseLine& base, const SlipPlane& plane, int direction, const CandidateContext& context) {
   Candidate candidate;
-  candidate.identity = {.parameter = parameter,
+  candidate.identity = {.parameter = context.lastFrame.parameter,
                         .scopeIndex = base.scopeIndex,
                         .chain = base.cluster,
                         .baseLine = static_cast<std::int16_t>(base.line.number),
-                        .plane = static_cast<std::int8_t>(plane.number),
+                        .plane = static_cast<std::int16_t>(plane.number),
                         .direction = static_cast<std::int8_t>(direction)};
   candidate.scope = base.scope;
   candidate.base = base.line.segment;
   candidate.baseScreen = base.screen;
+  candidate.foot = {base.line.segment.start + plane.onto, base.line.segment.end + plane.onto};
   candidate.plane = plane;
   candidate.outward = plane.across * static_cast<double>(direction);
+  candidate.mostM = direction > 0 ? plane.highM : -plane.lowM;
   return candidate;
+}
+
+/// The least offset in the candidate's direction at which its plane has room.
+double leastRoomM(const Candidate& candidate) {
+  return candidate.identity.direction > 0 ? candidate.plane.lowM : -candidate.plane.highM;
+}
+
+/// Puts the candidate at an offset from its foot; false when that is no place.
+bool placeAt(Candidate& candidate, const Slide& slide, double offsetM, const View& view) {
+  if (!(offsetM <= candidate.mostM) || !moveTo(candidate, slide.at(offsetM), view)) return false;
+  candidate.offsetM = offsetM;
+  candidate.footScreen = view.toScreen(candidate.foot);
+  return true;
 }
 
 /// Scores the placed candidate and keeps it, when it is long enough.
@@ -71,9 +86,10 @@ void keep(const CandidateContext& context, Candidate& candidate, std::vector<Can
 /// Calls `use(plane, direction)` for each plane of a base line and each direction on it. A chain slips away from its members only.
 template <typename Use>
 void forEachSlip(const CandidateContext& context, const UsableBaseLine& base, Use use) {
-  for (const SlipPlane& plane : slipPlanes(base.line, context.annotation.slip, context.view)) {
+  slipPlanes(base.line, context.annotation.slip, context.view, context.objectPlanes, context.planes);
+  for (const SlipPlane& plane : context.planes) {
     use(plane, 1);
-    if (base.cluster < 0 || plane.kind == PlaneKind::kBillboard) use(plane, -1);
+    if (base.cluster < 0 || plane.kind != PlaneKind::kScope) use(plane, -1);
   }
 }
 
@@ -119,32 +135,31 @@ void gatherGuideCandidates(const CandidateContext& context, const UsableBaseLine
   if (context.guides.size() == 0) return;
   const Vec3 along = glm::normalize(base.line.segment.end - base.line.segment.start);
   forEachSlip(context, base, [&](const SlipPlane& plane, int direction) {
-    const Vec3 outward = plane.across * static_cast<double>(direction);
     for (std::size_t i = 0; i < context.guides.size(); ++i) {
       const Guide& guide = context.guides[i];
       if (!liesOn(guide, plane.plane, along, context.modelSizeM)) continue;
-      const double offsetM = glm::dot(guide.point - base.line.segment.start, outward);
-      if (!(offsetM > 0)) continue;
-      const auto slide = Slide::make(context.view, base.line.segment, outward);
+      Candidate candidate = unplaced(base, plane, direction, context);
+      const double offsetM = glm::dot(guide.point - candidate.foot.start, candidate.outward);
+      if (!(offsetM > 0) || offsetM < leastRoomM(candidate)) continue;
+      const auto slide = Slide::make(context.view, candidate.foot, candidate.outward);
       if (!slide || leastClearingOffset(context.paddedModel, *slide) > offsetM * (1 + kGuideSlack)) continue;
-      Candidate candidate = unplaced(base, plane, direction, context.lastFrame.parameter);
       candidate.placement = PlacementKind::kGuide;
       candidate.guide = static_cast<int>(i);
-      if (moveTo(candidate, slide->at(offsetM), context.view)) keep(context, candidate, candidates);
+      if (placeAt(candidate, *slide, offsetM, context.view)) keep(context, candidate, candidates);
     }
   });
 }
 
 void gatherOutsideCandidates(const CandidateContext& context, const UsableBaseLine& base, std::vector<Candidate>& candidates) {
   forEachSlip(context, base, [&](const SlipPlane& plane, int direction) {
-    const Vec3 outward = plane.across * static_cast<double>(direction);
-    const auto slide = Slide::make(context.view, base.line.segment, outward);
+    Candidate candidate = unplaced(base, plane, direction, context);
+    const auto slide = Slide::make(context.view, candidate.foot, candidate.outward);
     if (!slide) return;
-    const double offsetM = leastClearingOffset(context.padded, *slide);
+    // What clears at the least offset clears at every greater one, so a plane whose part begins further out is used from there.
+    const double offsetM = std::max(leastClearingOffset(context.padded, *slide), leastRoomM(candidate));
     if (!std::isfinite(offsetM)) return;
-    Candidate candidate = unplaced(base, plane, direction, context.lastFrame.parameter);
     candidate.placement = PlacementKind::kOutside;
-    if (moveTo(candidate, slide->at(offsetM), context.view)) keep(context, candidate, candidates);
+    if (placeAt(candidate, *slide, offsetM, context.view)) keep(context, candidate, candidates);
   });
 }
 
@@ -158,8 +173,8 @@ void gatherInsideCandidate(const CandidateContext& context, const UsableBaseLine
                         .plane = -1,
                         .direction = 0};
   candidate.scope = base.scope;
-  candidate.base = candidate.line = base.line.segment;
-  candidate.baseScreen = candidate.lineScreen = base.screen;
+  candidate.base = candidate.foot = candidate.line = base.line.segment;
+  candidate.baseScreen = candidate.footScreen = candidate.lineScreen = base.screen;
   const Vec3 middle = scope.center();
   // A scope whose middle is behind the viewer has no direction on screen; then length alone decides.
   const Vec2 middleScreen = context.view.inFrontOfNear(middle) ? context.view.toScreen(middle) : base.screen.middle();
@@ -176,8 +191,12 @@ bool pushOutward(Candidate& candidate, double byPx, const View& view) {
   if (!view.inFrontOfNear(probe)) return false;
   const double probePx = glm::length(view.toScreen(probe) - view.toScreen(middle));
   if (!(probePx > 1e-3)) return false;
-  const Vec3 move = candidate.outward * (probeM * byPx / probePx);
-  return moveTo(candidate, {candidate.line.start + move, candidate.line.end + move}, view);
+  const double offsetM = candidate.offsetM + probeM * byPx / probePx;
+  if (!(offsetM <= candidate.mostM)) return false;
+  const Vec3 move = candidate.outward * offsetM;
+  if (!moveTo(candidate, {candidate.foot.start + move, candidate.foot.end + move}, view)) return false;
+  candidate.offsetM = offsetM;
+  return true;
 }
 
 }  // namespace dimline

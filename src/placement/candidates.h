@@ -25,10 +25,14 @@ struct Candidate {
   PlacementKind placement = PlacementKind::kInside;
   Segment base;
   Segment2 baseScreen;
+  Segment foot;             ///< the base line on its plane: where it set out from, and where extension lines bend
+  Segment2 footScreen;
   Segment line;
   Segment2 lineScreen;
   SlipPlane plane;          ///< kind kNone for the fallback
   Vec3 outward{0.0};        ///< unit direction in the world in which the line was moved; zero for the fallback
+  double offsetM = 0;       ///< how far, from the foot
+  double mostM = 0;         ///< how far the plane has room
   int guide = -1;           ///< number of the guide it lies on
   double score = 0;         ///< without the Intersect term
 };
@@ -48,8 +52,10 @@ struct CandidateContext {
   const DistanceFields& padded;        ///< model and landed lines, with handleSpacing
   const DistanceFields& paddedModel;   ///< the model alone, with handleSpacing
   const Guides& guides;
+  const ObjectPlanesInFrame& objectPlanes;
   const Identity& lastFrame;           ///< the parameter's choice then, for the term Damp
   double modelSizeM = 0;
+  std::vector<SlipPlane>& planes;      ///< memory for one base line's planes
 };
 
 /// The least length on screen at which a line of this annotation is shown.
@@ -75,7 +81,7 @@ void gatherOutsideCandidates(const CandidateContext& context, const UsableBaseLi
 void gatherInsideCandidate(const CandidateContext& context, const UsableBaseLine& base, const Obb& scope, std::vector<Candidate>& candidates);
 
 /// Moves an outside candidate further out by `byPx` on screen, for a label that has no room at the least offset. False when it would leave the
-/// viewport or pass the near plane, or lies on a guide, which it must not leave.
+/// viewport, pass the near plane or leave its part of the plane, and for one on a guide, which it must not leave.
 bool pushOutward(Candidate& candidate, double byPx, const View& view);
 
 }  // namespace dimline

@@ -19,8 +19,10 @@ void Landed::add(const PlacedLine& line, int guide) {
   if (line.label) labels_.push_back(*line.label);
 }
 
-bool Landed::crosses(const Segment2& base, const Segment2& line) const {
-  const std::array<Segment2, 3> parts{line, Segment2{base.start, line.start}, Segment2{base.end, line.end}};
+bool Landed::crosses(const Segment2& base, const Segment2& foot, const Segment2& line) const {
+  // A foot that is the base line's own end makes a part of no length, which crosses nothing.
+  const std::array<Segment2, 5> parts{line, Segment2{foot.start, line.start}, Segment2{foot.end, line.end}, Segment2{base.start, foot.start},
+                                      Segment2{base.end, foot.end}};
   return std::ranges::any_of(parts, [&](const Segment2& part) {
     return std::ranges::any_of(lines_, [&](const Line& l) { return segmentsCross(part, l.segment); }) ||
            std::ranges::any_of(extensions_, [&](const Segment2& e) { return segmentsCross(part, e); }) ||

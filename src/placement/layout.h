@@ -28,7 +28,7 @@ struct Identity {
   std::int32_t scopeIndex = -1;   ///< among the scopes of the annotation's name; -1 for a chain as a whole
   std::int32_t chain = -1;        ///< number of the chain's cluster; -1 for a line of its own
   std::int16_t baseLine = -1;     ///< which of the scope's base lines; of a chain, which side of its rectangle
-  std::int8_t plane = -1;         ///< which of the base line's planes; -1 on the base line itself
+  std::int16_t plane = -1;        ///< which of the base line's planes; -1 on the base line itself
   std::int8_t direction = 0;      ///< +1 or -1 along that plane's slide direction, 0 on the base line itself
   bool operator==(const Identity&) const = default;
 };

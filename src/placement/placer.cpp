@@ -40,6 +40,7 @@ struct Member {
   std::size_t scope = 0;
   Segment base;
   Segment2 baseScreen;
+  Segment2 footScreen;
   Segment line;
   Segment2 lineScreen;
   std::optional<Box2> label;
@@ -59,6 +60,14 @@ HiddenReason reasonFor(const BaseLineTally& tally, bool anyScope) {
   return HiddenReason::kOutOfView;
 }
 
+/// From the base line's end to the final line's, bent at the plane where the base line does not lie in it (paper 5, "Extension Lines").
+void writeExtension(const Vec2& base, const Vec2& foot, const Vec2& end, std::vector<Vec2>& polyline) {
+  polyline.clear();
+  polyline.push_back(base);
+  if (foot != base) polyline.push_back(foot);
+  polyline.push_back(end);
+}
+
 auto orderOf(const Identity& i) { return std::tie(i.chain, i.scopeIndex, i.baseLine, i.plane, i.direction); }
 
 }  // namespace
@@ -68,6 +77,7 @@ struct Placer::State {
   std::vector<Scope> scopes;
   double modelSizeM = 0;
   std::vector<Measured> order;        ///< shortest first
+  std::vector<ObjectPlane> objectPlanes;
   std::vector<Identity> lastFrame;    ///< one a parameter; its `parameter` is always set, the rest as chosen
 
   // Memory of one frame, kept so that the next allocates nothing.
@@ -75,6 +85,8 @@ struct Placer::State {
   DistanceFields padded;
   Landed landed;
   Guides guides;
+  std::vector<ObjectPlaneUse> objectPlaneUses;
+  std::vector<SlipPlane> slipPlanesMemory;
   std::vector<char> inView;           ///< one a scope
   std::vector<char> seen;             ///< one a scope: in view, and not hidden by the model; kept for the next frame's hysteresis
   std::vector<UsableBaseLine> bases;
@@ -85,6 +97,7 @@ struct Placer::State {
   TakenStretches chainStretches;
   std::vector<PlacedLine> spareLines;
 
+  [[nodiscard]] std::vector<Segment> allBaseLines() const;
   void findVisible(const View& view, const ScopeVisibility* visibility);
   [[nodiscard]] bool visible(const Annotation& annotation, std::size_t scope) const {
     return (annotation.occlusion ? seen : inView)[scope] != 0;
@@ -145,6 +158,7 @@ void Placer::setScene(const Model& model, const Scene& scene) {
     s.order.push_back(std::move(measured));
   }
   std::ranges::stable_sort(s.order, {}, &Measured::meanLengthM);
+  s.objectPlanes = objectPlanes(s.allBaseLines(), scene.bounds);
 }
 
 void Placer::place(const View& view, const DistanceFields& fields, const Values& values, Layout& layout,
@@ -159,6 +173,7 @@ void Placer::place(const View& view, const DistanceFields& fields, const Values&
   pad(fields, kHandleSpacingPx, s.paddedModel);
   s.padded = s.paddedModel;
   s.findVisible(view, visibility);
+  facePlanes(s.objectPlanes, view, s.objectPlaneUses);
   for (std::size_t i = 0; i < s.scopes.size(); ++i) {
     if (s.seen[i] != 0) layout.visibleScopes.push_back(i);
   }
@@ -169,6 +184,19 @@ void Placer::place(const View& view, const DistanceFields& fields, const Values&
       s.placeParameter(measured, view, fields, values.at(measured.parameter), layout);
     }
   }
+}
+
+/// The base lines of all parameters that do not depend on the view, from which the object planes are made.
+std::vector<Segment> Placer::State::allBaseLines() const {
+  std::vector<Segment> all;
+  for (const Measured& measured : order) {
+    for (const std::size_t scope : measured.scopes) {
+      const HandleType type = measured.annotation.type;
+      if (type != HandleType::kLinearContour && type != HandleType::kLinearCenter) continue;
+      for (const BaseLine& line : baseLines(measured.annotation, scopes[scope].box, View())) all.push_back(line.segment);
+    }
+  }
+  return all;
 }
 
 void Placer::State::findVisible(const View& view, const ScopeVisibility* visibility) {
@@ -206,7 +234,8 @@ void Placer::State::placeParameter(Measured& measured, const View& view, const D
     measured.textSize = labelSizePx(measured.text);
   }
 
-  const CandidateContext context{measured.annotation, view, padded, paddedModel, guides, last, modelSizeM};
+  const ObjectPlanesInFrame object{objectPlanes, objectPlaneUses, kSamePlaneDistance * modelSizeM};
+  const CandidateContext context{measured.annotation, view, padded, paddedModel, guides, object, last, modelSizeM, slipPlanesMemory};
   const Candidate* winner = nullptr;
   for (const bool onGuides : {true, false}) {
     gatherCandidates(measured, context, onGuides);
@@ -254,7 +283,7 @@ const Candidate* Placer::State::chooseWinner(const Measured& measured, const Vie
   for (Candidate& candidate : candidates) {
     if (best != nullptr && bestScore >= candidate.score) break;
     double candidateScore = candidate.score;
-    if (landed.crosses(candidate.baseScreen, candidate.lineScreen)) candidateScore += kScoreIntersect;
+    if (landed.crosses(candidate.baseScreen, candidate.footScreen, candidate.lineScreen)) candidateScore += kScoreIntersect;
     if (best != nullptr && bestScore >= candidateScore) continue;
     if (!settle(candidate, measured, view, model)) continue;
     best = &candidate;
@@ -270,7 +299,7 @@ const Candidate* Placer::State::chooseInside(const Measured& measured, const Can
   for (const UsableBaseLine& base : bases) gatherInsideCandidate(context, base, scopes[base.scope].box, candidates);
   const Candidate& best = *std::ranges::max_element(candidates, {}, &Candidate::score);
   winnerMembers.clear();
-  winnerMembers.push_back({best.scope, best.base, best.baseScreen, best.line, best.lineScreen,
+  winnerMembers.push_back({best.scope, best.base, best.baseScreen, best.footScreen, best.line, best.lineScreen,
                            placeLabel({.line = best.lineScreen, .textSize = measured.textSize}, landed, context.view.viewport())});
   return &best;
 }
@@ -284,7 +313,7 @@ bool Placer::State::expand(const Candidate& candidate, const Measured& measured,
     const auto [from, to] = std::minmax({guide.metresAt(candidate.line.start), guide.metresAt(candidate.line.end)});
     if (!guide.taken.free(from, to, kSamePlaneDistance * modelSizeM) || !landed.hasRoom(candidate.lineScreen, candidate.guide)) return false;
   }
-  members.push_back({candidate.scope, candidate.base, candidate.baseScreen, candidate.line, candidate.lineScreen, std::nullopt});
+  members.push_back({candidate.scope, candidate.base, candidate.baseScreen, candidate.footScreen, candidate.line, candidate.lineScreen, std::nullopt});
   return true;
 }
 
@@ -306,7 +335,8 @@ bool Placer::State::expandChain(const Candidate& candidate, const Measured& meas
       if (!guide->taken.free(from, to, toleranceM) || !landed.hasRoom(lineScreen, candidate.guide)) continue;
     }
     chainStretches.add(m.fromM, m.toM);
-    members.push_back({m.scope, m.segment, view.toScreen(m.segment), line, lineScreen, std::nullopt});
+    const Segment foot{m.segment.start + candidate.plane.onto, m.segment.end + candidate.plane.onto};
+    members.push_back({m.scope, m.segment, view.toScreen(m.segment), view.toScreen(foot), line, lineScreen, std::nullopt});
   }
   return !members.empty();
 }
@@ -372,11 +402,12 @@ void Placer::State::land(const Candidate& winner, const Measured& measured, doub
     line.line = member.line;
     line.baseScreen = member.baseScreen;
     line.lineScreen = member.lineScreen;
-    line.extensionStart.clear();
-    line.extensionEnd.clear();
-    if (!inside) {
-      for (const Vec2& p : {member.baseScreen.start, member.lineScreen.start}) line.extensionStart.push_back(p);
-      for (const Vec2& p : {member.baseScreen.end, member.lineScreen.end}) line.extensionEnd.push_back(p);
+    if (inside) {
+      line.extensionStart.clear();
+      line.extensionEnd.clear();
+    } else {
+      writeExtension(member.baseScreen.start, member.footScreen.start, member.lineScreen.start, line.extensionStart);
+      writeExtension(member.baseScreen.end, member.footScreen.end, member.lineScreen.end, line.extensionEnd);
     }
     // A parameter has at most one chain in a frame, so its number says which chain it is.
     line.chain = winner.identity.chain >= 0 ? static_cast<std::int32_t>(measured.parameter) : -1;
@@ -419,8 +450,11 @@ void Placer::State::occupy(const PlacedLine& line, int guide) {
   const auto [from, to] = std::minmax({carrier.metresAt(line.line.start), carrier.metresAt(line.line.end)});
   carrier.taken.add(from, to);
   pullIn(padded, line.lineScreen, kHandleSpacingPx);
-  pullIn(padded, Segment2{line.baseScreen.start, line.lineScreen.start}, kExtensionClearancePx);
-  pullIn(padded, Segment2{line.baseScreen.end, line.lineScreen.end}, kExtensionClearancePx);
+  for (const auto* extension : {&line.extensionStart, &line.extensionEnd}) {
+    for (std::size_t i = 1; i < extension->size(); ++i) {
+      pullIn(padded, Segment2{(*extension)[i - 1], (*extension)[i]}, kExtensionClearancePx);
+    }
+  }
   if (line.label) pullIn(padded, *line.label, kLabelClearancePx);
 }
 

@@ -10,7 +10,7 @@ bool edgeOn(const Vec3& normal, const Vec3& viewDirection) {
   return std::abs(glm::dot(normal, viewDirection)) < std::sin(kEdgeOnAngleRad);
 }
 
-void addScopePlanes(const BaseLine& line, const Vec3& viewDirection, SlipPlanes& planes) {
+void addScopePlanes(const BaseLine& line, const Vec3& viewDirection, std::vector<SlipPlane>& planes) {
   for (std::size_t i = 0; i < line.scopePlanes.size(); ++i) {
     const ScopePlane& scopePlane = line.scopePlanes[i];
     if (edgeOn(scopePlane.normal, viewDirection)) continue;
@@ -23,7 +23,7 @@ void addScopePlanes(const BaseLine& line, const Vec3& viewDirection, SlipPlanes&
   }
 }
 
-void addBillboardPlane(const BaseLine& line, const Vec3& viewDirection, SlipPlanes& planes) {
+void addBillboardPlane(const BaseLine& line, const Vec3& viewDirection, std::vector<SlipPlane>& planes) {
   const Vec3 along = line.segment.end - line.segment.start;
   const Vec3 across = glm::cross(viewDirection, along);
   const double length = glm::length(across);
@@ -37,17 +37,50 @@ void addBillboardPlane(const BaseLine& line, const Vec3& viewDirection, SlipPlan
                     .number = 0});
 }
 
+void addObjectPlanes(const BaseLine& line, const ObjectPlanesInFrame& object, std::vector<SlipPlane>& planes) {
+  const Vec3 along = glm::normalize(line.segment.end - line.segment.start);
+  for (std::size_t i = 0; i < object.planes.size(); ++i) {
+    if (object.uses[i] == ObjectPlaneUse::kLeftOut) continue;
+    const Plane& plane = object.planes[i].plane;
+    // For so small an angle its sine is the angle.
+    if (std::abs(glm::dot(along, plane.normal)) > kSamePlaneAngleRad) continue;
+    const Vec3 onto = plane.normal * glm::dot(plane.point - line.segment.start, plane.normal);
+    const Vec3 across = glm::normalize(glm::cross(plane.normal, along));
+    const OffsetRange range = offsetsWithin(object.planes, object.uses, i, {line.segment.start + onto, line.segment.end + onto}, across, object.toleranceM);
+    if (range.lowM > range.highM) continue;
+    planes.push_back({.kind = PlaneKind::kObject,
+                      .facing = object.uses[i] == ObjectPlaneUse::kFront ? Facing::kFront : Facing::kBack,
+                      .plane = {line.segment.start + onto, plane.normal},
+                      .across = across,
+                      .number = static_cast<int>(i),
+                      .onto = onto,
+                      .lowM = range.lowM,
+                      .highM = range.highM});
+  }
+}
+
 }  // namespace
 
-SlipPlanes slipPlanes(const BaseLine& line, Slip slip, const View& view) {
-  SlipPlanes planes;
+void slipPlanes(const BaseLine& line, Slip slip, const View& view, const ObjectPlanesInFrame& object, std::vector<SlipPlane>& planes) {
+  planes.clear();
   const Vec3 viewDirection = view.directionTo(line.segment.middle());
-  if (slip == Slip::kScope && !line.scopePlanes.empty()) {
-    addScopePlanes(line, viewDirection, planes);
-  } else if (slip == Slip::kBillboard || slip == Slip::kScope) {
-    addBillboardPlane(line, viewDirection, planes);
+  switch (slip) {
+    case Slip::kNone: break;
+    case Slip::kBillboard: addBillboardPlane(line, viewDirection, planes); break;
+    case Slip::kObject:
+      if (!object.planes.empty()) {
+        addObjectPlanes(line, object, planes);
+        break;
+      }
+      [[fallthrough]];
+    case Slip::kScope:
+      if (line.scopePlanes.empty()) {
+        addBillboardPlane(line, viewDirection, planes);
+      } else {
+        addScopePlanes(line, viewDirection, planes);
+      }
+      break;
   }
-  return planes;
 }
 
 }  // namespace dimline

@@ -33,6 +33,12 @@ View frontView(const Vec3& eye, const Vec3& target) {
   return {camera, 1000, 1000, bounds};
 }
 
+std::vector<SlipPlane> slipPlanes(const BaseLine& line, Slip slip, const View& view) {
+  std::vector<SlipPlane> planes;
+  slipPlanes(line, slip, view, {}, planes);
+  return planes;
+}
+
 View anyView() { return frontView({30, 20, 40}, {0, 0, 0}); }
 
 }  // namespace
@@ -158,7 +164,7 @@ TEST_CASE("scope planes lie in the faces at the line's edge, with those faces' o
   const View view = frontView({6, 5, 9}, {0, 0, 0});
   const BaseLines lines = baseLines(annotated(HandleType::kLinearContour, Orient::kUp), box, view);
   // Other axes of y: z, then x. Edge 3 is at z = +1, x = +1, the one nearest to this viewer: both its faces look at the viewer.
-  const SlipPlanes near = slipPlanes(lines[3], Slip::kScope, view);
+  const std::vector<SlipPlane> near = slipPlanes(lines[3], Slip::kScope, view);
   REQUIRE(near.size() == 2);
   CHECK(near[0].across == Vec3(0, 0, 1));
   CHECK(near[0].plane.normal == Vec3(1, 0, 0));
@@ -186,7 +192,7 @@ TEST_CASE("planes seen edge-on are left out") {
   const Obb box{.origin = {-1, -1, -1}, .size = {2, 2, 2}};
   const View view = frontView({0, 0, 50}, {0, 0, 0});   // straight at the front: the side faces are edge-on
   const BaseLines lines = baseLines(annotated(HandleType::kLinearContour, Orient::kUp), box, view);
-  const SlipPlanes planes = slipPlanes(lines[3], Slip::kScope, view);
+  const std::vector<SlipPlane> planes = slipPlanes(lines[3], Slip::kScope, view);
   REQUIRE(planes.size() == 1);
   CHECK(planes[0].plane.normal == Vec3(0, 0, 1));
 }
@@ -195,7 +201,7 @@ TEST_CASE("a billboard plane holds the line and is as square to the view as that
   const Obb box{.origin = {-1, -1, -1}, .size = {2, 2, 2}};
   const View view = frontView({6, 5, 9}, {0, 0, 0});
   const BaseLines lines = baseLines(annotated(HandleType::kLinearCenter, Orient::kUp), box, view);
-  const SlipPlanes planes = slipPlanes(lines[0], Slip::kBillboard, view);
+  const std::vector<SlipPlane> planes = slipPlanes(lines[0], Slip::kBillboard, view);
   REQUIRE(planes.size() == 1);
   CHECK(glm::dot(planes[0].plane.normal, Vec3(0, 1, 0)) == Approx(0.0).margin(1e-12));
   CHECK(glm::dot(planes[0].across, Vec3(0, 1, 0)) == Approx(0.0).margin(1e-12));

@@ -88,7 +88,7 @@ TEST_CASE("Intersect sees lines and extension lines crossing what has landed") {
   line.extensionStart = {{300, 100}, {100, 100}};
   line.extensionEnd = {{300, 200}, {100, 200}};
   landed.add(line, -1);
-  CHECK(landed.crosses({{300, 120}, {300, 160}}, {{60, 120}, {60, 160}}));         // its extension lines cross the line
-  CHECK(landed.crosses({{200, 50}, {220, 50}}, {{200, 150}, {220, 150}}));         // ... an extension line
-  CHECK_FALSE(landed.crosses({{300, 120}, {300, 160}}, {{140, 120}, {140, 160}}));
+  CHECK(landed.crosses({{300, 120}, {300, 160}}, {{300, 120}, {300, 160}}, {{60, 120}, {60, 160}}));         // its extension lines cross the line
+  CHECK(landed.crosses({{200, 50}, {220, 50}}, {{200, 50}, {220, 50}}, {{200, 150}, {220, 150}}));         // ... an extension line
+  CHECK_FALSE(landed.crosses({{300, 120}, {300, 160}}, {{300, 120}, {300, 160}}, {{140, 120}, {140, 160}}));
 }
