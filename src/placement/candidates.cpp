@@ -57,6 +57,27 @@ Candidate unplaced(const UsableBaseLine& base, const SlipPlane& plane, int direc
   return candidate;
 }
 
+/// The greatest offset at which both ends may still lie in front of the near plane and within the viewport's margin; negative when there is none. Each
+/// side of the viewport bounds the offset by a linear inequality, since homogeneous pixels are linear in the world.
+double mostInViewM(const Candidate& candidate, const View& view) {
+  const Box2 box = view.viewport().grown(-kViewportMarginPx);
+  const Vec3 perMetre = view.worldToPixels() * Vec4(candidate.outward, 0.0);
+  double mostM = candidate.mostM;
+  const auto bound = [&](double atFoot, double perM) {
+    if (perM < 0) mostM = std::min(mostM, atFoot / -perM);
+    if (perM == 0 && atFoot < 0) mostM = -1;
+  };
+  for (const Vec3& end : {candidate.foot.start, candidate.foot.end}) {
+    const Vec3 h = view.worldToPixels() * Vec4(end, 1.0);
+    bound(h.x - box.min.x * h.z, perMetre.x - box.min.x * perMetre.z);
+    bound(box.max.x * h.z - h.x, box.max.x * perMetre.z - perMetre.x);
+    bound(h.y - box.min.y * h.z, perMetre.y - box.min.y * perMetre.z);
+    bound(box.max.y * h.z - h.y, box.max.y * perMetre.z - perMetre.y);
+    bound(view.depth(end) - view.nearM(), glm::dot(candidate.outward, view.forward()));
+  }
+  return mostM;
+}
+
 /// The least offset in the candidate's direction at which its plane has room.
 double leastRoomM(const Candidate& candidate) {
   return candidate.identity.direction > 0 ? candidate.plane.lowM : -candidate.plane.highM;
@@ -154,10 +175,11 @@ void gatherOutsideCandidates(const CandidateContext& context, const UsableBaseLi
   forEachSlip(context, base, [&](const SlipPlane& plane, int direction) {
     Candidate candidate = unplaced(base, plane, direction, context);
     const auto slide = Slide::make(context.view, candidate.foot, candidate.outward);
-    if (!slide) return;
+    const double mostM = mostInViewM(candidate, context.view);
+    if (!slide || mostM < 0) return;
     // What clears at the least offset clears at every greater one, so a plane whose part begins further out is used from there.
-    const double offsetM = std::max(leastClearingOffset(context.padded, *slide), leastRoomM(candidate));
-    if (!std::isfinite(offsetM)) return;
+    const double offsetM = std::max(leastClearingOffset(context.padded, *slide, mostM), leastRoomM(candidate));
+    if (offsetM > mostM) return;
     candidate.placement = PlacementKind::kOutside;
     if (placeAt(candidate, *slide, offsetM, context.view)) keep(context, candidate, candidates);
   });

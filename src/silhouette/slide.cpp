@@ -209,7 +209,7 @@ double leastClearingOffset(const DistanceField& field, ViewportEdge edge, const 
   return Search(field, edge, fields, slide, uselessAboveM).run();
 }
 
-double leastClearingOffset(const DistanceFields& fields, const Slide& slide) {
+double leastClearingOffset(const DistanceFields& fields, const Slide& slide, double uselessAboveM) {
   // The field that the line sets off towards most often has the answer, so the others mostly need no more than show that theirs is greater.
   const Vec2& way = slide.setOffPx();
   const ViewportEdge alongX = way.x < 0 ? ViewportEdge::kLeft : ViewportEdge::kRight;
@@ -219,7 +219,7 @@ double leastClearingOffset(const DistanceFields& fields, const Slide& slide) {
   double least = kInfinity;
   for (const ViewportEdge edge : {xFirst ? alongX : alongY, xFirst ? alongY : alongX, opposite(xFirst ? alongY : alongX),
                                   opposite(xFirst ? alongX : alongY)}) {
-    least = std::min(least, leastClearingOffset(fields[edge], edge, fields, slide, least));
+    least = std::min(least, leastClearingOffset(fields[edge], edge, fields, slide, std::min(least, uselessAboveM)));
   }
   return least;
 }

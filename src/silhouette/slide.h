@@ -48,6 +48,8 @@ double leastClearingOffset(const DistanceField& field, ViewportEdge edge, const 
                            double uselessAboveM = std::numeric_limits<double>::infinity());
 
 /// The least over the four fields: from there on the line is outside (paper 4.1). Infinite when there is no place.
-double leastClearingOffset(const DistanceFields& fields, const Slide& slide);
+/// Above `uselessAboveM` any greater value may be returned, as above.
+double leastClearingOffset(const DistanceFields& fields, const Slide& slide,
+                           double uselessAboveM = std::numeric_limits<double>::infinity());
 
 }  // namespace dimline
