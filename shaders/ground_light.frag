@@ -42,13 +42,14 @@ void main() {
     for (int i = 0; i < kSamples; ++i) lit += texture(shadowMap, vec3(clamp(at.xy + onDisc(i, kSamples) * radius, 0.0, 1.0), at.z));
     sunShare = lit / float(kSamples);
   }
-  // A tent over the coarse map of the sky takes the steps out of it.
-  vec2 texel = 1.0 / vec2(textureSize(groundSky, 0));
+  // A tent over the coarse map of the sky takes the steps out of it; away from the model, where it is nearly open, a wider one.
+  float lod = 2.5 * smoothstep(0.45, 0.90, textureLod(groundSky, screenUv, 2.0).r);
+  vec2 texel = exp2(lod) / vec2(textureSize(groundSky, 0));
   float skyShare = 0.0;
   for (int y = -1; y <= 1; ++y) {
     for (int x = -1; x <= 1; ++x) {
       float weight = (2.0 - abs(float(x))) * (2.0 - abs(float(y))) / 16.0;
-      skyShare += weight * textureLod(groundSky, screenUv + vec2(x, y) * texel, 0.0).r;
+      skyShare += weight * textureLod(groundSky, screenUv + vec2(x, y) * texel, lod).r;
     }
   }
   // Towards its edge the square merges into open ground.

@@ -1,7 +1,8 @@
 // From radiance to the screen.
 
-// A soft shoulder above middle tones.
+// A soft shoulder above middle tones, and a little less colour than film would give: drawings are quiet, and handles must stand out.
 vec3 toneMap(vec3 color) {
+  color = mix(vec3(dot(color, vec3(0.2126, 0.7152, 0.0722))), color, 0.86);
   const float start = 0.70;
   vec3 over = max(color - start, vec3(0.0));
   return min(color, vec3(start)) + (1.0 - start) * (vec3(1.0) - exp(-over / (1.0 - start)));

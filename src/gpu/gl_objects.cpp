@@ -9,12 +9,12 @@ void upload(const Buffer& buffer, GLenum target, std::span<const std::byte> byte
   glBufferData(target, static_cast<GLsizeiptr>(bytes.size()), bytes.data(), usage);
 }
 
-Texture makeTexture2D(const GlContext& context, GLenum internalFormat, int width, int height, Sampling sampling) {
+Texture makeTexture2D(const GlContext& context, GLenum internalFormat, int width, int height, Sampling sampling, int levels) {
   Texture texture(context);
   glBindTexture(GL_TEXTURE_2D, texture.id());
-  glTexStorage2D(GL_TEXTURE_2D, 1, internalFormat, width, height);
+  glTexStorage2D(GL_TEXTURE_2D, levels, internalFormat, width, height);
   const GLint filter = sampling == Sampling::kNearest ? GL_NEAREST : GL_LINEAR;
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, filter);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, levels > 1 ? GL_LINEAR_MIPMAP_LINEAR : filter);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, filter);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);

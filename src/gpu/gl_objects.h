@@ -109,8 +109,9 @@ void upload(const Buffer& buffer, GLenum target, std::span<const T> items, GLenu
 /// How a texture is looked up.
 enum class Sampling : std::uint8_t { kNearest, kLinear, kShadow };
 
-/// A 2-D texture of one level, without contents, clamped at its edges. kShadow compares depths, filtered.
-Texture makeTexture2D(const GlContext& context, GLenum internalFormat, int width, int height, Sampling sampling);
+/// A 2-D texture without contents, clamped at its edges. kShadow compares depths, filtered. With more than one level, sampling is
+/// trilinear, and the levels are the caller's to fill.
+Texture makeTexture2D(const GlContext& context, GLenum internalFormat, int width, int height, Sampling sampling, int levels = 1);
 
 /// A framebuffer of those textures (0 for none), bound when it returns. An error names `label`.
 Result<Framebuffer> makeFramebuffer(const GlContext& context, std::string_view label, GLuint colorTexture, GLuint depthTexture);

@@ -37,7 +37,7 @@ class Renderer {
   Renderer& operator=(const Renderer&) = delete;
   ~Renderer() = default;
 
-  /// Replaces the model.
+  /// Replaces the model. Its light is worked out by the next draw(). An error when the driver does not take a shader that it needs.
   Status setScene(const Scene& scene);
 
   /// Draws a frame: the model as `view` sees it, and the lines over it. Fills all of the framebuffer with opaque pixels. A size below one pixel draws nothing.

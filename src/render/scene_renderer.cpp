@@ -20,6 +20,11 @@ constexpr double kGroundRadius = 2.2;
 /// Texture units.
 enum Unit : int { kUnitMaterials = 0, kUnitShadow = 1, kUnitImage = 2, kUnitSky = 3, kUnitGround = 4 };
 
+/// Which of a pattern's shaders draws a group.
+std::size_t variantOf(const GpuScene::Group& group, RenderQuality quality) {
+  return (group.image >= 0 ? 1U : 0U) + (quality == RenderQuality::kReduced ? 2U : 0U);
+}
+
 Vec3 towardsSun() {
   return {std::sin(kSunAzimuthRad) * std::cos(kSunElevationRad), std::sin(kSunElevationRad),
           std::cos(kSunAzimuthRad) * std::cos(kSunElevationRad)};
@@ -56,32 +61,38 @@ Status SceneRenderer::prepare() {
 
 Status SceneRenderer::sceneChanged(const Scene& source, const GpuScene& scene) {
   edges_.setScene(source);
-  const auto surfaceOf = [&](const GpuScene::Group& group) -> SurfaceProgram& {
-    return surfaces_[static_cast<std::size_t>(group.pattern)][group.image >= 0 ? 1 : 0];
-  };
-  for (const GpuScene::Group& group : scene.groups()) {
-    SurfaceProgram& surface = surfaceOf(group);
-    if (surface.program) continue;
-    const std::string defines = "#define PATTERN " + std::to_string(static_cast<int>(group.pattern)) + "\n" +
-                                (group.image >= 0 ? "#define HAS_IMAGE 1\n" : "");
-    surface.program = Program(*context_, {.label = "surfaces",
-                                          .vertex = {shaders::instance_glsl, shaders::frame_glsl, shaders::surface_vert},
-                                          .fragment = {shaders::frame_glsl, shaders::tone_glsl, shaders::light_glsl, shaders::surface_frag},
-                                          .defines = defines});
-  }
-  for (const GpuScene::Group& group : scene.groups()) {
-    SurfaceProgram& surface = surfaceOf(group);
-    if (surface.ready) continue;
-    if (Status status = surface.program.status(); !status) return status;
-    surface.program.bindBlock("Frame", kFrameBlockBinding);
-    surface.program.bindSampler("materials", kUnitMaterials);
-    surface.program.bindSampler("shadowMap", kUnitShadow);
-    surface.program.bindSampler("skyVolume", kUnitSky);
-    surface.program.bindSampler("image", kUnitImage);
-    surface.ready = true;
-  }
   shadowStale_ = true;
   lightDetail_.reset();
+  return prepareSurfaces(scene, RenderQuality::kFull);
+}
+
+Status SceneRenderer::prepareSurfaces(const GpuScene& scene, RenderQuality quality) {
+  // All are started before the first is waited for: drivers compile several at a time.
+  for (const GpuScene::Group& group : scene.groups()) {
+    Program& program = surfaces_[static_cast<std::size_t>(group.pattern)].variants[variantOf(group, quality)];
+    if (program) continue;
+    const std::string defines = "#define PATTERN " + std::to_string(static_cast<int>(group.pattern)) + "\n" +
+                                (group.image >= 0 ? "#define HAS_IMAGE 1\n" : "") +
+                                (quality == RenderQuality::kReduced ? "#define REDUCED 1\n" : "");
+    program = Program(*context_, {.label = "surfaces",
+                                  .vertex = {shaders::instance_glsl, shaders::frame_glsl, shaders::surface_vert},
+                                  .fragment = {shaders::frame_glsl, shaders::tone_glsl, shaders::light_glsl, shaders::patterns_glsl,
+                                               shaders::surface_frag},
+                                  .defines = defines});
+  }
+  for (const GpuScene::Group& group : scene.groups()) {
+    SurfacePrograms& programs = surfaces_[static_cast<std::size_t>(group.pattern)];
+    const std::size_t variant = variantOf(group, quality);
+    if (programs.ready[variant]) continue;
+    Program& program = programs.variants[variant];
+    if (Status status = program.status(); !status) return status;
+    program.bindBlock("Frame", kFrameBlockBinding);
+    program.bindSampler("materials", kUnitMaterials);
+    program.bindSampler("shadowMap", kUnitShadow);
+    program.bindSampler("skyVolume", kUnitSky);
+    program.bindSampler("image", kUnitImage);
+    programs.ready[variant] = true;
+  }
   return okStatus();
 }
 
@@ -121,6 +132,7 @@ void SceneRenderer::fillFrameBlock(const GpuScene& scene, const View& view, cons
 
 Status SceneRenderer::draw(const GpuScene& scene, const View& view, const Theme& theme, RenderQuality quality, bool ground,
                            const PictureTarget& target, double devicePixelRatio) {
+  if (Status status = prepareSurfaces(scene, quality); !status) return status;
   if (Status status = updateLight(scene, quality); !status) return status;
   fillFrameBlock(scene, view, theme, ground, target, devicePixelRatio);
   target.bind();
@@ -155,7 +167,7 @@ Status SceneRenderer::draw(const GpuScene& scene, const View& view, const Theme&
   for (std::size_t i = 0; i < scene.groups().size(); ++i) {
     const GpuScene::Group& group = scene.groups()[i];
     if (group.image >= 0) bind(kUnitImage, scene.imageTexture(group.image));
-    surfaces_[static_cast<std::size_t>(group.pattern)][group.image >= 0 ? 1 : 0].program.use();
+    surfaces_[static_cast<std::size_t>(group.pattern)].variants[variantOf(group, quality)].use();
     scene.drawGroup(i);
   }
   edges_.draw();

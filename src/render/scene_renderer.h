@@ -28,7 +28,7 @@ class SceneRenderer {
   explicit SceneRenderer(const GlContext& context);
   Status prepare();
 
-  /// The scene has changed: its light will be worked out anew, shaders for new materials are compiled.
+  /// The scene has changed: its edges are found and shaders for its materials compiled; its light will be worked out anew by the next draw().
   Status sceneChanged(const Scene& source, const GpuScene& scene);
 
   /// Fills the bound target. `devicePixelRatio`: of the target.
@@ -36,10 +36,13 @@ class SceneRenderer {
               double devicePixelRatio);
 
  private:
-  struct SurfaceProgram {
-    Program program;
-    bool ready = false;
+  /// The shaders of one pattern; four variants: plain or with an image, full or reduced.
+  struct SurfacePrograms {
+    std::array<Program, 4> variants;
+    std::array<bool, 4> ready{};
   };
+  /// Compiles what the scene's materials need at that quality and is not there yet.
+  Status prepareSurfaces(const GpuScene& scene, RenderQuality quality);
   /// Shadow and sky light, as fine as `quality` asks; nothing to do when the present ones are fine enough.
   Status updateLight(const GpuScene& scene, RenderQuality quality);
   void fillFrameBlock(const GpuScene& scene, const View& view, const Theme& theme, bool ground, const PictureTarget& target,
@@ -57,7 +60,7 @@ class SceneRenderer {
   bool shadowStale_ = true;
   std::optional<LightDetail> lightDetail_;   ///< that of the present scene; nothing: not worked out yet
   Program background_, groundProgram_;
-  std::array<std::array<SurfaceProgram, 2>, kPatterns> surfaces_;   ///< by pattern, without and with an image
+  std::array<SurfacePrograms, kPatterns> surfaces_;   ///< by pattern
 };
 
 }  // namespace dimline

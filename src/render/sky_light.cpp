@@ -28,6 +28,9 @@ constexpr Fineness fineness(LightDetail detail) {
   return detail == LightDetail::kFine ? Fineness{32, 48, 128, 512} : Fineness{16, 28, 64, 256};
 }
 
+/// Of the ground's map of the sky; it is blurred by them.
+constexpr int kGroundSkyLevels = 4;
+
 /// Uniform block of the maps.
 constexpr GLuint kMapsBinding = 1;
 
@@ -193,7 +196,7 @@ Status SkyLight::bakeGround(const Bounds& bounds, const SunShadow& shadow, const
 
   const Fineness fine = fineness(detail);
   if (groundSize_ != fine.ground) {
-    groundSky_ = makeTexture2D(*context_, GL_R8, fine.groundSky, fine.groundSky, Sampling::kLinear);
+    groundSky_ = makeTexture2D(*context_, GL_R8, fine.groundSky, fine.groundSky, Sampling::kLinear, kGroundSkyLevels);
     ground_ = makeTexture2D(*context_, GL_RG8, fine.ground, fine.ground, Sampling::kLinear);
     groundSize_ = fine.ground;
   }
@@ -205,6 +208,11 @@ Status SkyLight::bakeGround(const Bounds& bounds, const SunShadow& shadow, const
   glActiveTexture(GL_TEXTURE0);
   glBindTexture(GL_TEXTURE_2D, atlas_.id());
   glDrawArrays(GL_TRIANGLES, 0, 3);
+
+  glActiveTexture(GL_TEXTURE2);
+  glBindTexture(GL_TEXTURE_2D, groundSky_.id());
+  glGenerateMipmap(GL_TEXTURE_2D);
+  glActiveTexture(GL_TEXTURE0);
 
   Result<Framebuffer> ground = makeFramebuffer(*context_, "light on the ground", ground_.id(), 0);
   if (!ground) return ground.error();

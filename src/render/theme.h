@@ -13,7 +13,7 @@ constexpr glm::vec4 srgb(unsigned rgb, float opacity = 1.0F) {
 
 /// Colours of what is drawn, apart from the model's own. The default is dark ink and orange handles on paper white.
 struct Theme {
-  glm::vec4 backgroundTop = srgb(0xF3F5F6);
+  glm::vec4 backgroundTop = srgb(0xEDF1F4);
   glm::vec4 backgroundBottom = srgb(0xFBFAF8);
   glm::vec4 line = srgb(0x3A4149);             ///< dimension lines, and the ends of them that cannot be dragged
   glm::vec4 lineHovered = srgb(0x14181C);
