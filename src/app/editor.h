@@ -32,7 +32,7 @@ struct PointerInput {
   int id = 0;
   PointerKind kind = PointerKind::kMouse;
   PointerButton button = PointerButton::kPrimary;
-  Modifiers modifiers;
+  Modifiers modifiers{};
   Vec2 screen{0.0};
 };
 

@@ -73,29 +73,25 @@ void Editor::State::measureAndPlace(const View& view) {
 void Editor::State::placeOn(const View& view) {
   const Stopwatch watch;
   visibility.measure(scene, view, scopesSeen);
-  placer.place(view, fieldSource.fields(), values, placed, &scopesSeen);
-  holdDraggedLine(view);
+  const auto held = drag ? drag->lineOn(scene, values, view) : std::nullopt;
+  const bool inChain = held && held->chain >= 0;
+  placer.place(view, fieldSource.fields(), values, placed, &scopesSeen, held && !inChain ? &*held : nullptr);
+  if (inChain) holdMember(*held);
   timings.placeMs = watch.ms();
   placedOnce = true;
   pictureStale = true;
 }
 
-/// While a handle is dragged its line keeps its carrier, whatever the placer would prefer.
-void Editor::State::holdDraggedLine(const View& view) {
-  if (!drag) return;
-  const PlacedLine& start = drag->startLine();
-  auto line = drag->lineOn(scene, values, view);
-  const auto isDragged = [&](const PlacedLine& other) {
-    return other.parameter == start.parameter && (start.chain < 0 || (line && other.scope == line->scope));
-  };
-  const auto found = std::ranges::find_if(placed.lines, isDragged);
-  if (!line) return;
+/// A chain is placed as a whole while one of its members is dragged; only the member itself is where the hand has it.
+void Editor::State::holdMember(const PlacedLine& held) {
+  const auto isHeld = [&](const PlacedLine& line) { return line.parameter == held.parameter && line.scope == held.scope; };
+  const auto found = std::ranges::find_if(placed.lines, isHeld);
   if (found != placed.lines.end()) {
-    *found = std::move(*line);
-  } else {
-    std::erase_if(placed.hidden, [&](const HiddenParameter& hidden) { return hidden.parameter == start.parameter; });
-    placed.lines.push_back(std::move(*line));
+    *found = held;
+    return;
   }
+  std::erase_if(placed.hidden, [&](const HiddenParameter& hidden) { return hidden.parameter == held.parameter; });
+  placed.lines.push_back(held);
 }
 
 void Editor::State::animate(const View& view) {

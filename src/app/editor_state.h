@@ -125,7 +125,7 @@ struct Editor::State {
   void rebuild();
   void measureAndPlace(const View& view);
   void placeOn(const View& view);
-  void holdDraggedLine(const View& view);
+  void holdMember(const PlacedLine& held);
   void animate(const View& view);
   void clearLines();
   [[nodiscard]] bool hoverAnimating() const;

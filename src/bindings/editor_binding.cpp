@@ -270,10 +270,8 @@ class EditorBinding {
 
   void writeLabel(JsonWriter& json, const PlacedLine& line, const Editor::LineState& state, bool fading) const {
     const auto parameters = editor_.model().parameters();
-    const Scene& scene = editor_.scene();
     std::string id = identityText(line.identity, parameters);
-    // The members of a chain have one identity together; a line on its way out must not be taken for the one that came in its place.
-    if (line.chain >= 0 && line.scope < scene.scopes.size()) id += "#" + std::to_string(scene.scopes[line.scope].index);
+    // A line on its way out must not be taken for one that comes back in its place.
     if (fading) id += "~";
     json.beginObject();
     json.key("id").value(id);

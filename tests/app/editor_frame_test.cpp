@@ -1,0 +1,107 @@
+#include <catch2/catch.hpp>
+
+#include "app/editor_stage.h"
+#include "placement/placer.h"
+#include "silhouette/cpu_fields.h"
+#include "silhouette/scope_visibility.h"
+
+using namespace dimline;
+using namespace dimline::test;
+
+TEST_CASE("a still camera moves nothing, bit for bit") {
+  EditorStage stage;
+  const Layout before = stage.editor.layout();
+  for (int i = 0; i < 100; ++i) {
+    stage.frame();
+    REQUIRE(stage.editor.atRest());
+    REQUIRE(sameLayout(before, stage.editor.layout()));
+  }
+}
+
+TEST_CASE("at rest the layout is what the placer gives for the present camera") {
+  EditorStage stage;
+  const Model model = makeModel(boxWithDoor()).value();
+  const Values values(model.parameters());
+  const Scene scene = model.definition.build(values);
+  CpuFields producer;
+  producer.setScene(scene);
+  Placer placer;
+  placer.setScene(model, scene);
+  CpuVisibility visibility;
+  ScopeVisibility seen;
+  DistanceFields fields;
+  Layout expected;
+  placer.forget();
+  for (int i = 0; i <= 12; ++i) {
+    const Camera camera = orbitCamera({0, 2, 0}, 30, 29.0 * i, 15 + i);
+    REQUIRE(stage.editor.setCamera(camera));
+    stage.settle();
+    const View view(camera, 1000, 1000, scene.bounds);
+    producer.produce(view, fields);
+    visibility.measure(scene, view, seen);
+    placer.place(view, fields, values, expected, &seen);
+    if (i == 0) continue;   // the editor's placer remembers the view in which it opened
+    REQUIRE(sameLayout(expected, stage.editor.layout()));
+  }
+}
+
+TEST_CASE("a steady orbit comes to rest soon after it ends") {
+  EditorStage stage;
+  for (int i = 0; i < 60; ++i) {
+    REQUIRE(stage.editor.setCamera(orbitCamera({0, 2, 0}, 30, 3.0 * i, 20)));
+    stage.frame();
+    const Layout& layout = stage.editor.layout();
+    REQUIRE(stage.editor.lineStates().size() == layout.lines.size());
+    for (const PlacedLine& line : layout.lines) {
+      REQUIRE(glm::length(layout.view.toScreen(line.line.end) - line.lineScreen.end) < 1e-6);   // mid-animation too
+    }
+  }
+  REQUIRE(stage.settle() <= 14);   // 180 ms and a frame
+  REQUIRE(stage.editor.fadingLines().empty());
+}
+
+TEST_CASE("every parameter with a line is in lines or hidden, never in both, in every frame") {
+  EditorStage stage;
+  for (int i = 0; i < 120; ++i) {
+    REQUIRE(stage.editor.setCamera(orbitCamera({0, 2, 0}, 14, 7.0 * i, -10 + i)));
+    stage.frame();
+    std::vector<int> count(5, 0);
+    for (const PlacedLine& line : stage.editor.layout().lines) ++count[line.parameter];
+    for (const HiddenParameter& hidden : stage.editor.layout().hidden) ++count[hidden.parameter];
+    REQUIRE(count == std::vector<int>(5, 1));
+  }
+}
+
+TEST_CASE("with reduced motion every frame is at rest") {
+  EditorStage stage;
+  stage.editor.setReducedMotion(true);
+  for (int i = 0; i < 60; ++i) {
+    REQUIRE(stage.editor.setCamera(orbitCamera({0, 2, 0}, 30, 6.0 * i, 20)));
+    stage.frame();
+    REQUIRE(stage.editor.atRest());
+    for (const auto& state : stage.editor.lineStates()) REQUIRE(state.opacity == 1);
+  }
+}
+
+TEST_CASE("a value that changes moves its line at once, without lagging behind the model") {
+  EditorStage stage;
+  for (int i = 1; i <= 20; ++i) {
+    stage.editor.setValueContinuous(stage.indexOf("Height"), 5 + 0.05 * i);
+    stage.frame();
+    const PlacedLine& line = *stage.line("Height");
+    REQUIRE(line.line.length() == Approx(5 + 0.05 * i));
+    REQUIRE(line.base.length() == Approx(5 + 0.05 * i));
+  }
+}
+
+TEST_CASE("two editors given the same do the same, bit for bit") {
+  EditorStage one;
+  EditorStage two;
+  for (int i = 0; i < 40; ++i) {
+    for (EditorStage* stage : {&one, &two}) {
+      REQUIRE(stage->editor.setCamera(orbitCamera({0, 2, 0}, 30, 9.0 * i, 20)));
+      stage->frame();
+    }
+    REQUIRE(sameLayout(one.editor.layout(), two.editor.layout()));
+  }
+}
