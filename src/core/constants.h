@@ -55,6 +55,9 @@ inline constexpr double kScoreLength = 0.02;                             ///< la
 inline constexpr double kScoreAlign = 3.0 * kHandleSpacingPx;            ///< lambda 3
 inline constexpr double kScoreDamp = 0.5 * kHandleSpacingPx;             ///< lambda 4
 inline constexpr double kScoreIntersect = -1.0 * kHandleSpacingPx;       ///< lambda 5
+/// Beyond the paper: an extension line through a label that has landed makes it hard to read, which a crossing of two thin lines does
+/// not; such a place is taken only when it is much nearer than any other.
+inline constexpr double kScoreCoversLabel = -6.0 * kHandleSpacingPx;
 inline constexpr double kScorePlane = 3.0 * kHandleSpacingPx;            ///< lambda 6
 
 // --- Geometry ---------------------------------------------------------------------------------------------------------

@@ -28,6 +28,7 @@ struct Parameter {
   double min = 0;
   double max = 1;
   double step = 0;                   ///< 0: any value; typed and scripted values may be off-step, drags snap to it
+  std::string noun{};                ///< what a count counts, in the singular, for labels: "floor" gives "2 floors"
   std::vector<std::string> choices{};  ///< names of the choices, for kChoice
   std::string annotation{};          ///< the text beside the definition (DESIGN.md section 3); empty: only in the panel
 };

@@ -5,7 +5,9 @@ namespace dimline {
 std::string labelText(const Parameter& parameter, double value) {
   const std::string text = formatValue(parameter, value);
   const bool bare = parameter.unit == Unit::kNone && (parameter.type == ParameterType::kInt || parameter.type == ParameterType::kFloat);
-  return bare ? parameter.title + " " + text : text;
+  if (!bare) return text;
+  if (parameter.noun.empty()) return parameter.title + " " + text;
+  return text + " " + parameter.noun + (value == 1 ? "" : "s");
 }
 
 }  // namespace dimline

@@ -6,8 +6,8 @@
 
 namespace dimline {
 
-/// What a dimension line's label says: the value with its unit; a bare count says what it counts ("Floors 3"), since a number without unit
-/// beside a building would be read as metres.
+/// What a dimension line's label says: the value with its unit. A bare number beside a building would be read as metres, so a count says what it counts
+/// ("2 floors"), or else names its parameter ("Twist 2").
 std::string labelText(const Parameter& parameter, double value);
 
 }  // namespace dimline

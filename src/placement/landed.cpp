@@ -19,15 +19,17 @@ void Landed::add(const PlacedLine& line, int guide) {
   if (line.label) labels_.push_back(*line.label);
 }
 
-bool Landed::crosses(const Segment2& base, const Segment2& foot, const Segment2& line) const {
+Landed::Crossings Landed::crossings(const Segment2& base, const Segment2& foot, const Segment2& line) const {
   // A foot that is the base line's own end makes a part of no length, which crosses nothing.
   const std::array<Segment2, 5> parts{line, Segment2{foot.start, line.start}, Segment2{foot.end, line.end}, Segment2{base.start, foot.start},
                                       Segment2{base.end, foot.end}};
-  return std::ranges::any_of(parts, [&](const Segment2& part) {
-    return std::ranges::any_of(lines_, [&](const Line& l) { return segmentsCross(part, l.segment); }) ||
-           std::ranges::any_of(extensions_, [&](const Segment2& e) { return segmentsCross(part, e); }) ||
-           std::ranges::any_of(labels_, [&](const Box2& label) { return meets(part, label); });
-  });
+  Crossings found;
+  for (const Segment2& part : parts) {
+    found.lines = found.lines || std::ranges::any_of(lines_, [&](const Line& l) { return segmentsCross(part, l.segment); }) ||
+                  std::ranges::any_of(extensions_, [&](const Segment2& e) { return segmentsCross(part, e); });
+    found.labels = found.labels || std::ranges::any_of(labels_, [&](const Box2& label) { return meets(part, label); });
+  }
+  return found;
 }
 
 bool Landed::hasRoom(const Segment2& line, int guide) const {

@@ -14,9 +14,12 @@ class Landed {
   /// `guide`: the number of the guide that the line lies on or has made; -1 when it has none.
   void add(const PlacedLine& line, int guide);
 
-  /// Whether a line, or one of its extension lines from the base line by way of its foot on the plane, crosses a line, an extension line or a label that
-  /// has landed (paper 4.2, Intersect).
-  [[nodiscard]] bool crosses(const Segment2& base, const Segment2& foot, const Segment2& line) const;
+  /// What a line, or one of its extension lines from the base line by way of its foot on the plane, runs across of what has landed.
+  struct Crossings {
+    bool lines = false;    ///< a line or an extension line (paper 4.2, Intersect)
+    bool labels = false;
+  };
+  [[nodiscard]] Crossings crossings(const Segment2& base, const Segment2& foot, const Segment2& line) const;
 
   /// Whether a line on a guide keeps handleSpacing from the lines of other guides and kLabelClearancePx from all labels, and crosses no extension line.
   [[nodiscard]] bool hasRoom(const Segment2& line, int guide) const;

@@ -283,7 +283,9 @@ const Candidate* Placer::State::chooseWinner(const Measured& measured, const Vie
   for (Candidate& candidate : candidates) {
     if (best != nullptr && bestScore >= candidate.score) break;
     double candidateScore = candidate.score;
-    if (landed.crosses(candidate.baseScreen, candidate.footScreen, candidate.lineScreen)) candidateScore += kScoreIntersect;
+    const Landed::Crossings crossings = landed.crossings(candidate.baseScreen, candidate.footScreen, candidate.lineScreen);
+    if (crossings.lines) candidateScore += kScoreIntersect;
+    if (crossings.labels) candidateScore += kScoreCoversLabel;
     if (best != nullptr && bestScore >= candidateScore) continue;
     if (!settle(candidate, measured, view, model)) continue;
     best = &candidate;

@@ -82,13 +82,27 @@ TEST_CASE("labels keep clear of lines, extension lines and labels that have land
   CHECK(landed.hasRoom({{126, 145}, {140, 155}}));
 }
 
-TEST_CASE("Intersect sees lines and extension lines crossing what has landed") {
+TEST_CASE("crossings: lines and extension lines through what has landed") {
   Landed landed;
-  PlacedLine line = placed({{100, 100}, {100, 200}});
+  PlacedLine line = placed({{100, 100}, {100, 200}}, Box2{{80, 140}, {120, 160}});
   line.extensionStart = {{300, 100}, {100, 100}};
   line.extensionEnd = {{300, 200}, {100, 200}};
   landed.add(line, -1);
-  CHECK(landed.crosses({{300, 120}, {300, 160}}, {{300, 120}, {300, 160}}, {{60, 120}, {60, 160}}));         // its extension lines cross the line
-  CHECK(landed.crosses({{200, 50}, {220, 50}}, {{200, 50}, {220, 50}}, {{200, 150}, {220, 150}}));         // ... an extension line
-  CHECK_FALSE(landed.crosses({{300, 120}, {300, 160}}, {{300, 120}, {300, 160}}, {{140, 120}, {140, 160}}));
+  const auto crossings = [&](const Segment2& base, const Segment2& to) { return landed.crossings(base, base, to); };
+  const auto throughLine = crossings({{300, 110}, {300, 130}}, {{60, 110}, {60, 130}});
+  CHECK(throughLine.lines);
+  CHECK_FALSE(throughLine.labels);
+  CHECK(crossings({{200, 50}, {220, 50}}, {{200, 150}, {220, 150}}).lines);   // through an extension line
+  CHECK(crossings({{300, 120}, {300, 150}}, {{110, 120}, {110, 150}}).labels);
+  const auto beside = crossings({{300, 110}, {300, 130}}, {{140, 110}, {140, 130}});
+  CHECK_FALSE(beside.lines);
+  CHECK_FALSE(beside.labels);
+}
+
+TEST_CASE("an extension line that bends is looked at on both its parts") {
+  Landed landed;
+  landed.add(placed({{100, 100}, {100, 200}}), -1);
+  const Segment2 base{{50, 150}, {50, 160}};
+  CHECK(landed.crossings(base, {{150, 150}, {150, 160}}, {{150, 50}, {150, 60}}).lines);
+  CHECK_FALSE(landed.crossings(base, {{50, 50}, {50, 60}}, {{150, 50}, {150, 60}}).lines);
 }
