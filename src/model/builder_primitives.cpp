@@ -260,6 +260,7 @@ void Builder::sweep(const Ring& input, std::span<const Vec3> pathInput, const Sw
   for (std::size_t s = 0; s < segments; ++s) {
     way[s] = glm::normalize(path[(s + 1) % count] - path[s]);
     if (s == 0) {
+      assert(glm::length(glm::cross(way[0], options.up)) > 1e-6 && "a sweep's up lies along its path");
       right[0] = glm::normalize(glm::cross(way[0], options.up));
       up[0] = glm::cross(right[0], way[0]);
     } else {

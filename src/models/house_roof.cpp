@@ -1,41 +1,35 @@
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "models/house_parts.h"
 
-// The roof and what is fixed to it. The storeys' box ends at the eaves: the roof's base lies higher by what the eave hangs down, so that the
+// The four roofs. The storeys' box ends at the eaves: a pitched roof's base lies higher by what the eave hangs down, so that the
 // underside's outer edge is level with the box's top whatever pitch and overhang are.
 
 namespace dimline::house {
 
 namespace {
 
-constexpr double kSlab = 0.22;     // thickness of a pitched roof
-constexpr double kShedTop = 0.25;  // how far the upper roof of a shed reaches over the lower one
-constexpr double kShedWall = 0.2;
-
-Obb boxAround(const Builder& b, const Vec3& min, const Vec3& max) {
-  Obb box = b.scope();
-  box.origin = box.origin + box.axes[0] * min.x + box.axes[1] * min.y + box.axes[2] * min.z;
-  box.size = max - min;
-  return box;
-}
+constexpr double kShedTop = 0.25;  // how far the upper slope of a shed reaches over the lower one
+constexpr double kShedWall = 0.2;  // thickness of the wall between the two
 
 void nameBox(Builder& b, std::string_view name, const Vec3& min, const Vec3& max) {
   b.push([&] {
-    b.setScope(boxAround(b, min, max));
+    b.translate(min);
+    b.scale(max - min);
     b.name(name);
   });
 }
 
-/// The strips between the wall's faces and the roof's edge, one a side that has one; z is outwards. Scope: the roof's base.
-void nameOverhangs(const House& house, std::span<const Face> sides, double low, double high) {
+/// The strips between the walls' faces and the roof's edge, one a side; z is outwards.
+void nameOverhangs(const House& house, double low, double high) {
   Builder& b = house.b;
   const double o = house.plan.overhang;
   b.push([&] {
     b.translate({0, low, 0});
     b.scale(Axis::kY, high - low);
-    b.faces(sides, [&](Face) {
+    b.faces(kSideFaces, [&](Face) {
       b.translate({-o, 0, 0});
       b.scale({b.size().x + 2 * o, b.size().y, o});
       b.name("Overhang");
@@ -43,143 +37,128 @@ void nameOverhangs(const House& house, std::span<const Face> sides, double low, 
   });
 }
 
-/// The angle at the front eave, seen from the right and from the left: x runs level from the eave towards the ridge, y up, and the angle opens about z.
+/// The angle at the front eave, on the roof's right edge: x runs level from the eave towards the ridge, y up; the angle opens from x towards y, about z.
 void namePitch(const House& house, double eaveY, double runM) {
   Builder& b = house.b;
-  const double o = house.plan.overhang, rise = runM * std::tan(house.plan.pitchRad);
+  const double o = house.plan.overhang;
   b.face(Face::kRight, [&] {
     b.translate({-o, eaveY, o});
-    b.scale({runM, rise, 0});
+    b.scale({runM, runM * std::tan(house.plan.pitchRad), 0});
     b.name("Pitch");
   });
-}
-
-void drawRidges(const House& house, const Roof& roof) {
-  Builder& b = house.b;
-  b.material(house.m.clay);
-  const Ring section = ellipseRing({0, 0.0}, {0.11, 0.09}, 10);
-  for (const Segment& s : roof.ridges) {
-    const Vec3 path[] = {s.start, s.end};
-    b.sweep(section, path);
-  }
-}
-
-void drawGutters(const House& house, const Roof& roof) {
-  Builder& b = house.b;
-  b.material(house.m.metal);
-  const Ring section{{-0.07, 0}, {-0.05, -0.055}, {0, -0.075}, {0.05, -0.055},   {0.07, 0},
-                     {0.06, 0},  {0.042, -0.046}, {0, -0.063}, {-0.042, -0.046}, {-0.06, 0}};
-  for (const Segment& e : roof.eaves) {
-    const Vec3 way = glm::normalize(e.end - e.start), out = glm::normalize(glm::cross(way, Vec3(0, 1, 0)));
-    const Vec3 shift = out * 0.075 + Vec3(0, -0.02, 0);
-    const Vec3 path[] = {e.start + shift, e.end + shift};
-    b.sweep(section, path);
-  }
-}
-
-/// Scope: the roof's base. `at` is the middle of the stack on plan.
-void drawChimney(const House& house, const Vec2& at, double low, double contact) {
-  Builder& b = house.b;
-  const Vec2 size(0.72, 0.5);
-  const double h = house.plan.chimneyHeight, top = contact + h;
-  b.push([&] {
-    b.translate({at.x - size.x * 0.5, contact, at.y - size.y * 0.5});
-    b.scale({size.x, h, size.y});
-    b.name("Chimney");
-    b.translate({0, low - contact, 0});
-    b.material(house.m.brick);
-    b.box({0, 0, 0}, {size.x, top - low - 0.08, size.y});
-    b.material(house.m.stone);
-    b.box({-0.05, top - low - 0.08, -0.05}, {size.x + 0.1, 0.08, size.y + 0.1});
-  });
-}
-
-/// The highest and the lowest point of the roof's outer faces under a rectangle.
-std::pair<double, double> heightsAround(const Roof& roof, const Vec2& at, const Vec2& half) {
-  double low = 1e9, high = -1e9;
-  for (const double x : {at.x - half.x, at.x + half.x}) {
-    for (const double z : {at.y - half.y, at.y + half.y}) {
-      low = std::min(low, roof.heightAt(x, z));
-      high = std::max(high, roof.heightAt(x, z));
-    }
-  }
-  return {low, high};
-}
-
-void addChimney(const House& house, const Roof& roof, const Vec2& at) {
-  const auto [low, high] = heightsAround(roof, at, {0.36, 0.25});
-  drawChimney(house, at, low - 0.4, high);
 }
 
 RoofOptions optionsOf(const House& house) {
   RoofOptions o;
   o.pitchRad = house.plan.pitchRad;
   o.overhangM = house.plan.overhang;
-  o.thicknessM = kSlab;
+  o.thicknessM = kRoofSlab;
   o.edge = house.m.trim;
   o.underside = house.m.soffit;
   return o;
 }
 
+/// Runs the body again in the scope as it looks from the other end of the house.
+template <typename Body>
+void fromBehind(Builder& b, Body&& body) {
+  b.push([&] {
+    b.rotate(Axis::kY, std::numbers::pi, {0.5, 0, 0.5});
+    body();
+  });
+}
+
+/// Just behind the ridge, where a stack needs to rise least; off the middle, but not beyond the ridge's ends.
+Vec2 chimneyPlace(const Plan& plan, bool hip) {
+  const Vec2 middle(plan.width * 0.5, plan.depth * 0.5);
+  const double halfRidge = hip ? std::abs(plan.width - plan.depth) * 0.5 : plan.width * 0.5;
+  if (hip && plan.width < plan.depth) return middle + Vec2(-0.66, -std::clamp(halfRidge - 0.3, 0.0, plan.depth * 0.22));
+  return middle + Vec2(-std::clamp(halfRidge - 0.3, 0.0, plan.width * 0.22), -0.55);
+}
+
 void buildPitched(const House& house, bool hip) {
   Builder& b = house.b;
   const Plan& plan = house.plan;
-  const RoofOptions options = optionsOf(house);
   b.material(house.m.tiles);
-  const Roof roof = hip ? b.roofHip(options) : b.roofGable(options);
+  const Roof roof = hip ? b.roofHip(optionsOf(house)) : b.roofGable(optionsOf(house));
+  const double edge = roof.eaves[0].start.y;
   nameBox(b, "Roof", roof.min, roof.max);
-  const double low = roof.min.y, edge = roof.eaves[0].start.y;
-  nameOverhangs(house, kSideFaces, low, edge);
-  const double run = (hip ? std::min(plan.width, plan.depth) : plan.depth) * 0.5 + plan.overhang;
-  namePitch(house, edge, run);
-  drawRidges(house, roof);
-  drawGutters(house, roof);
+  nameOverhangs(house, roof.min.y, edge);
+  namePitch(house, edge, (hip ? std::min(plan.width, plan.depth) : plan.depth) * 0.5 + plan.overhang);
 
-  // Beside the ridge, where a stack needs to be least tall.
-  const Segment& ridge = roof.ridges[0];
-  const bool alongX = !hip || plan.width >= plan.depth;
-  const double reach = std::abs(plan.width - plan.depth) * 0.5 - 0.3;
-  const double aside =
-      hip ? std::max(std::min((alongX ? plan.width : plan.depth) * 0.22, reach), 0.0) : plan.width * 0.22;
-  const Vec2 middle((ridge.start.x + ridge.end.x) * 0.5, (ridge.start.z + ridge.end.z) * 0.5);
-  addChimney(house, roof,
-             alongX ? Vec2(plan.width * 0.5 - aside, plan.depth * 0.5 - 0.55)
-                    : Vec2(plan.width * 0.5 - 0.66, plan.depth * 0.5 - aside));
-  (void)middle;
+  drawRidges(house, roof);
+  drawRafters(house, roof, hip);
+  if (!hip) drawPurlins(house, roof);
+  drawRainwater(house, roof);
+  drawChimney(house, roof, chimneyPlace(plan, hip));
+  drawRoofWindows(house, roof, hip);
+}
+
+/// The wall between the two slopes of a shed, with a row of windows where it is high enough. Scope: the roof's base.
+void drawClerestory(const House& house, double splitZ, double low, double visibleLow, double high) {
+  Builder& b = house.b;
+  const Plan& plan = house.plan;
+  const double x0 = kWallThickness, length = plan.width - 2 * kWallThickness, margin = 0.18;
+  const double windowHeight = std::min(high - visibleLow - 2 * margin, 0.9);
+  b.push([&] {
+    b.translate({x0, low, splitZ - kShedWall});
+    b.scale({length, high - low, kShedWall});
+    Polygon wall{rectangleRing({0, 0}, {length, high - low}), {}};
+    std::vector<Interval> windows;
+    if (windowHeight >= 0.3) {
+      const double width = std::min(1.1, plan.front.bayWidth - 0.4);
+      for (int bay = 0; bay < plan.front.bays; ++bay)
+        windows.push_back({plan.front.axisOf(bay) - x0 - width * 0.5, width});
+    }
+    const double sill = visibleLow - low + margin;
+    for (const Interval& w : windows) {
+      wall.holes.push_back(rectangleRing({w.start, sill}, {w.end(), sill + windowHeight}));
+    }
+    b.material(house.m.plaster);
+    b.extrudePolygon(wall);
+    b.translate({0, 0, kShedWall});
+    for (const Interval& w : windows) {
+      b.push([&] {
+        b.translate({w.start, sill, 0});
+        b.scale({w.length, windowHeight, 0});
+        drawGlazing(house, 1, 1);
+      });
+    }
+  });
 }
 
 void buildShed(const House& house) {
   Builder& b = house.b;
   const Plan& plan = house.plan;
   const double split = plan.depth * kShedSplit, slope = std::tan(plan.pitchRad);
+  const double splitZ = plan.depth - split;
   RoofOptions options = optionsOf(house);
-  b.material(house.m.tiles);
-  options.topOverhangM = 0;
   Roof lower, upper;
   b.push([&] {
-    b.translate({0, 0, plan.depth - split});
+    b.translate({0, 0, splitZ});
     b.scale(Axis::kZ, split);
+    options.topOverhangM = 0;
+    b.material(house.m.tiles);
     lower = b.roofShed(options);
-    drawGutters(house, lower);
+    drawRafters(house, lower, false);
+    drawRainwater(house, lower);
   });
-  options.topOverhangM = kShedTop;
-  b.push([&] {
-    b.rotate(Axis::kY, 3.14159265358979323846, {0.5, 0, 0.5});
+  fromBehind(b, [&] {
+    b.scale(Axis::kZ, plan.depth);
     b.translate({0, 0, split});
-    b.scale(Axis::kZ, plan.depth - split);
+    b.scale(Axis::kZ, splitZ);
+    options.topOverhangM = kShedTop;
+    b.material(house.m.tiles);
     upper = b.roofShed(options);
-    drawGutters(house, upper);
-    addChimney(house, upper, {plan.width * 0.72, kShedWall + 0.27});
+    drawRafters(house, upper, false);
+    drawRainwater(house, upper);
+    drawChimney(house, upper, {plan.width * 0.72, kShedWall + 0.27});
   });
-  // The wall between the roofs.
-  b.material(house.m.plaster);
-  b.box({kWallThickness, split * slope - 0.3, plan.depth - split - kShedWall},
-        {plan.width - 2 * kWallThickness, (plan.depth - 2 * split) * slope + 0.3 + 0.03, kShedWall});
+  drawClerestory(house, splitZ, split * slope - 0.2, lower.heightAt(0, 0), splitZ * slope + 0.03);
 
-  const double low = lower.min.y, edge = lower.eaves[0].start.y;
-  nameBox(b, "Roof", {-plan.overhang, low, -plan.overhang},
+  const double edge = lower.eaves[0].start.y;
+  nameBox(b, "Roof", {-plan.overhang, lower.min.y, -plan.overhang},
           {plan.width + plan.overhang, upper.max.y, plan.depth + plan.overhang});
-  nameOverhangs(house, kSideFaces, low, edge);
+  nameOverhangs(house, lower.min.y, edge);
   namePitch(house, edge, split + plan.overhang);
 }
 
@@ -189,15 +168,26 @@ void buildFlat(const House& house) {
   FlatRoofOptions options;
   options.overhangM = plan.overhang;
   options.thicknessM = 0.22;
-  options.parapetHeightM = 0.2;
+  options.parapetHeightM = 0.22;
   options.parapetWidthM = 0.22;
   options.edge = house.m.trim;
   options.underside = house.m.soffit;
   b.material(house.m.gravel);
   const Roof roof = b.roofFlat(options);
   nameBox(b, "Roof", roof.min, roof.max);
-  nameOverhangs(house, kSideFaces, roof.min.y, roof.max.y);
-  addChimney(house, roof, {plan.width * 0.28, plan.depth * 0.36});
+  nameOverhangs(house, roof.min.y, roof.max.y);
+  drawChimney(house, roof, {plan.width * 0.28, plan.depth * 0.36});
+
+  // Metal coping on the parapet.
+  const double w = plan.width, d = plan.depth, o = plan.overhang, in = o - options.parapetWidthM - 0.03;
+  b.push([&] {
+    b.translate({0, roof.max.y, 0});
+    b.scale(Axis::kY, 0.03);
+    b.material(house.m.metal);
+    b.extrudePolygon(Polygon{rectangleRing({-o - 0.03, -o - 0.03}, {w + o + 0.03, d + o + 0.03}),
+                             {rectangleRing({-in, -in}, {w + in, d + in})}},
+                     Axis::kY);
+  });
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <map>
@@ -98,14 +99,16 @@ inline std::string defectOf(const Mesh& mesh, std::size_t materialCount) {
   for (std::size_t i = 0; i < used.size(); ++i) {
     if (!used[i]) return "point " + std::to_string(i) + " belongs to no triangle";
   }
-  std::map<std::pair<std::uint32_t, std::uint32_t>, int> edges;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
   for (const auto& t : mesh.triangles) {
-    for (std::size_t k = 0; k < 3; ++k) ++edges[{t[k], t[(k + 1) % 3]}];
+    for (std::size_t k = 0; k < 3; ++k) edges.emplace_back(t[k], t[(k + 1) % 3]);
   }
-  for (const auto& [edge, count] : edges) {
-    const auto opposite = edges.find({edge.second, edge.first});
-    if (count != 1 || opposite == edges.end() || opposite->second != 1) {
-      const glm::vec3 p = mesh.positions[edge.first], q = mesh.positions[edge.second];
+  std::sort(edges.begin(), edges.end());
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    const auto [from, to] = edges[i];
+    const bool twice = i + 1 < edges.size() && edges[i] == edges[i + 1];
+    if (twice || !std::binary_search(edges.begin(), edges.end(), std::pair(to, from))) {
+      const glm::vec3 p = mesh.positions[from], q = mesh.positions[to];
       return "an edge is not shared by two triangles, from " + std::to_string(p.x) + ", " + std::to_string(p.y) + ", " +
              std::to_string(p.z) + " to " + std::to_string(q.x) + ", " + std::to_string(q.y) + ", " +
              std::to_string(q.z);
