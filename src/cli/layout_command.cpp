@@ -1,0 +1,196 @@
+#include "cli/layout_command.h"
+
+#include <algorithm>
+#include <ostream>
+
+#include "app/json.h"
+#include "cli/field_measurer.h"
+#include "cli/layout_options.h"
+#include "cli/load_model.h"
+#include "cli/output_file.h"
+#include "core/text.h"
+#include "placement/placer.h"
+#include "silhouette/coverage_mask.h"
+#include "silhouette/scope_visibility.h"
+
+namespace dimline {
+
+namespace {
+
+constexpr std::string_view kHelp =
+    "Usage: dimline layout MODEL [options] -o OUT.json\n\n"
+    "Places the dimension lines of a model. MODEL is a built-in name (dimline models lists them), or the path\n"
+    "of a .gltf or .glb file.\n\n"
+    "  --set NAME=VALUE     a parameter's value, in its own unit; repeatable\n"
+    "  --cameras CAMS.json  the cameras, an array of objects such as\n"
+    "                       {\"eye\":[10,8,14],\"target\":[0,3,0],\"up\":[0,1,0],\"fovDeg\":35}, or with\n"
+    "                       \"orthoHeight\" in place of \"fovDeg\"; their frames follow each other as in a page\n"
+    "  --eye x,y,z --target x,y,z [--fov DEGREES | --ortho HEIGHT]\n"
+    "                       one camera instead; without any: the three-quarter view in which the page opens\n"
+    "  --size WxH           the viewport in pixels, 1000x1000 unless told\n"
+    "  --fields cpu|gpu     what measures the silhouette, cpu unless told\n"
+    "  --masks FOLDER       also writes FOLDER/0000.pgm and so on: what the model covers, 255 where it is\n"
+    "  --svg FOLDER         also writes FOLDER/0000.svg and so on: the dimensioned drawings\n"
+    "  -o OUT.json          where the layout goes; - is standard output\n";
+
+/// Everything that one run works on.
+struct Job {
+  LayoutOptions options;
+  Model model;
+  Values values;
+  Scene scene;
+  std::vector<Camera> cameras;
+};
+
+Status setValues(Job& job) {
+  const auto parameters = job.model.parameters();
+  job.values = Values(parameters);
+  for (const auto& [name, text] : job.options.values) {
+    const auto index = findParameter(parameters, name);
+    if (!index) {
+      std::vector<std::string_view> names;
+      for (const Parameter& parameter : parameters) names.push_back(parameter.name);
+      return Error{"The model has no parameter " + inQuotes(name) + "; it has " + joined(names) + "."};
+    }
+    const auto value = parseValue(parameters[*index], text);
+    if (!value) return value.error();
+    job.values.set(*index, *value);
+  }
+  return okStatus();
+}
+
+Status findCameras(Job& job) {
+  const LayoutOptions& options = job.options;
+  if (options.camerasPath) {
+    const auto text = readFile(*options.camerasPath);
+    if (!text) return text.error();
+    auto cameras = readCameras(*text);
+    if (!cameras) return Error{*options.camerasPath + ": " + cameras.error().message};
+    job.cameras = std::move(cameras).value();
+  } else {
+    job.cameras = {options.camera.value_or(threeQuarterView(job.scene.bounds, options.widthPx, options.heightPx))};
+  }
+  return okStatus();
+}
+
+std::string numbered(const std::string& folder, std::size_t frame, std::string_view ending) {
+  std::string number = std::to_string(frame);
+  if (number.size() < 4) number.insert(0, 4 - number.size(), '0');
+  return folder + "/" + number + std::string(ending);
+}
+
+Status writeMask(const std::string& path, const CoverageMask& mask) {
+  std::string bytes = "P5\n" + std::to_string(mask.widthPx) + " " + std::to_string(mask.heightPx) + "\n255\n";
+  bytes.append(mask.pixels.begin(), mask.pixels.end());
+  return writeFile(path, bytes);
+}
+
+void writeScopes(const Job& job, JsonWriter& json) {
+  json.key("scopes").beginArray();
+  for (const Scope& scope : job.scene.scopes) {
+    const auto names = [&](const std::optional<Annotation>& annotation) {
+      return annotation && annotation->scope == scope.name;
+    };
+    if (std::none_of(job.model.annotations.begin(), job.model.annotations.end(), names)) continue;
+    json.beginObject();
+    json.key("name").value(scope.name);
+    json.key("index").value(static_cast<std::size_t>(scope.index));
+    json.key("origin").value(scope.box.origin);
+    json.key("axes").beginArray();
+    for (const Vec3& axis : scope.box.axes) json.value(axis);
+    json.endArray();
+    json.key("size").value(scope.box.size);
+    json.endObject();
+  }
+  json.endArray();
+}
+
+void writeHeader(const Job& job, JsonWriter& json) {
+  json.key("model").value(job.model.definition.name);
+  json.key("parameters");
+  writeValues(json, job.model.parameters(), job.values);
+  json.key("bounds")
+      .beginObject()
+      .key("min")
+      .value(job.scene.bounds.min)
+      .key("max")
+      .value(job.scene.bounds.max)
+      .endObject();
+  writeScopes(job, json);
+}
+
+/// Lays out one frame after the other. Pictures are written as they are made; the JSON when all is well.
+Status layOut(const Job& job, FieldMeasurer& measurer, JsonWriter& json) {
+  const LayoutOptions& options = job.options;
+  Placer placer;
+  placer.setScene(job.model, job.scene);
+  CpuVisibility visibility;
+  ScopeVisibility seen;
+  DistanceFields fields;
+  Layout layout;
+  json.key("frames").beginArray();
+  for (std::size_t i = 0; i < job.cameras.size(); ++i) {
+    const View view(job.cameras[i], options.widthPx, options.heightPx, job.scene.bounds);
+    if (Status status = measurer.measure(view, fields); !status) return status;
+    visibility.measure(job.scene, view, seen);
+    placer.place(view, fields, job.values, layout, &seen);
+    writeFrame(json, job.model, job.scene, layout);
+    if (options.masksFolder) {
+      const Status status = writeMask(numbered(*options.masksFolder, i, ".pgm"), coverageMask(job.scene, view));
+      if (!status) return status;
+    }
+  }
+  json.endArray();
+  return okStatus();
+}
+
+Status makeFolders(const LayoutOptions& options) {
+  for (const auto& folder : {options.masksFolder, options.svgFolder}) {
+    if (!folder) continue;
+    if (Status status = makeFolder(*folder); !status) return status;
+  }
+  return okStatus();
+}
+
+Outcome run(std::span<const std::string_view> arguments, const Streams& streams) {
+  auto options = parseLayoutOptions(arguments);
+  if (!options) return badArguments(options.error().message);
+  Job job;
+  job.options = std::move(options).value();
+  auto model = loadModel(job.options.model, streams.err);
+  if (!model) return badInput(model.error());
+  job.model = std::move(model).value();
+  if (Status status = setValues(job); !status) return badInput(status.error());
+  job.scene = job.model.definition.build(job.values);
+  if (Status status = findCameras(job); !status) return badInput(status.error());
+
+  std::unique_ptr<FieldMeasurer> measurer;
+  if (job.options.gpuFields) {
+    auto made = FieldMeasurer::onGpu(job.scene);
+    if (!made) return badInput(made.error());
+    measurer = std::move(made).value();
+  } else {
+    measurer = FieldMeasurer::onCpu(job.scene);
+  }
+
+  if (Status status = makeFolders(job.options); !status) return badInput(status.error());
+  JsonWriter json;
+  json.beginObject();
+  writeHeader(job, json);
+  if (Status status = layOut(job, *measurer, json); !status) return badInput(status.error());
+  json.endObject();
+  if (job.options.outputPath == "-") {
+    streams.out << json.text() << "\n";
+    return std::nullopt;
+  }
+  if (Status status = writeFile(job.options.outputPath, json.text() + "\n"); !status) return badInput(status.error());
+  return std::nullopt;
+}
+
+}  // namespace
+
+Command layoutCommand() {
+  return {"layout", "dimension lines for given cameras, as JSON, masks and drawings", kHelp, run};
+}
+
+}  // namespace dimline

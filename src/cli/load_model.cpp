@@ -1,0 +1,32 @@
+#include "cli/load_model.h"
+
+#include <ostream>
+
+#include "core/text.h"
+#include "gltf/gltf_reader.h"
+#include "models/models.h"
+
+namespace dimline {
+
+namespace {
+
+bool isGltfPath(std::string_view name) {
+  for (const std::string_view ending : {".gltf", ".glb"}) {
+    if (name.size() > ending.size() && equalIgnoringCase(name.substr(name.size() - ending.size()), ending)) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+Result<Model> loadModel(std::string_view nameOrPath, std::ostream& err) {
+  const bool fromFile = isGltfPath(nameOrPath);
+  auto model = fromFile ? readGltfFile(std::string(nameOrPath)) : findBuiltInModel(nameOrPath);
+  if (!model && !fromFile) return Error{model.error().message + " A model in a file ends in .gltf or .glb."};
+  if (!model) return model.error();
+  for (const std::string& diagnostic : model->diagnostics)
+    err << "dimline: note: " << nameOrPath << ": " << diagnostic << "\n";
+  return model;
+}
+
+}  // namespace dimline

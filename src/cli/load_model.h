@@ -1,0 +1,13 @@
+#pragma once
+
+#include <string_view>
+
+#include "cli/program.h"
+#include "model/model.h"
+
+namespace dimline {
+
+/// The MODEL of a command line: a built-in name, or the path of a .gltf or .glb. Says on `err` what of it had to be left out.
+Result<Model> loadModel(std::string_view nameOrPath, std::ostream& err);
+
+}  // namespace dimline

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "core/result.h"
+
+namespace dimline {
+
+/// Writes a whole file, or leaves what was there as it was: the bytes go to a file beside it, which then takes its name.
+Status writeFile(const std::string& path, std::string_view bytes);
+
+/// Sees to it that a folder is there, and those above it.
+Status makeFolder(const std::string& path);
+
+/// The whole of a file.
+Result<std::string> readFile(const std::string& path);
+
+}  // namespace dimline
