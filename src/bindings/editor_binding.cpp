@@ -180,7 +180,7 @@ class EditorBinding {
 
   // --- Frames ---
   std::string attachContext(int handle) {
-    if (emscripten_webgl_make_context_current(handle) != EMSCRIPTEN_RESULT_SUCCESS) {
+    if (handle <= 0 || emscripten_webgl_make_context_current(handle) != EMSCRIPTEN_RESULT_SUCCESS) {
       return "This is no WebGL 2 context of this module, or it is lost.";
     }
     context_ = handle;

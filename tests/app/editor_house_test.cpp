@@ -1,0 +1,39 @@
+#include <catch2/catch.hpp>
+
+#include "app/editor_stage.h"
+#include "models/models.h"
+
+using namespace dimline;
+using namespace dimline::test;
+
+TEST_CASE("every line of the house can be dragged: there, to the limits, and back") {
+  EditorStage stage(defineHouse());
+  std::vector<std::string> names;
+  for (const PlacedLine& line : stage.editor.layout().lines) {
+    const std::string& name = stage.editor.model().parameters()[line.parameter].name;
+    if (std::ranges::find(names, name) == names.end()) names.push_back(name);
+  }
+  REQUIRE(names.size() > 6);
+  for (const std::string& name : names) {
+    INFO(name);
+    const PlacedLine line = *stage.line(name);
+    const double before = stage.value(name);
+    const Vec2 along = glm::normalize(line.lineScreen.end - line.lineScreen.start);
+    const Vec2 at = line.handles.front().screen;
+    REQUIRE(stage.down(at) == PointerTarget::kHandle);
+    std::vector<double> values;
+    for (const double travel : {-300.0, -40.0, 40.0, 300.0, 1e5}) {
+      stage.move(at + along * travel);
+      stage.frame();
+      values.push_back(stage.value(name));
+    }
+    REQUIRE(values.back() == stage.editor.model().parameters()[stage.indexOf(name)].max);
+    stage.move(at);
+    REQUIRE(stage.value(name) == before);
+    stage.move(at + along * 300.0);
+    stage.editor.cancelGesture();
+    REQUIRE(stage.value(name) == before);
+    stage.settle();
+  }
+  REQUIRE_FALSE(stage.editor.canUndo());
+}
