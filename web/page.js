@@ -8,7 +8,7 @@ const panelNode = byId("panel");
 const projection = byId("projection");
 const modelMenu = byId("model-menu");
 const hint = byId("hint");
-const narrow = matchMedia("(max-width: 719px)");
+const narrow = matchMedia("(max-width: 639px), (max-width: 1023px) and (orientation: portrait)");
 
 let sliding = false; // by a control of the panel
 

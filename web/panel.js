@@ -145,7 +145,7 @@ function makeNumber(parameter, id, helpId, host) {
     if (event.key === "Escape") host.refresh(name);
   });
   input.addEventListener("focus", () => input.select());
-  const field = make("span", { class: "field" }, input, make("span", { class: "unit", "aria-hidden": "true" }, unit));
+  const field = make("span", { class: "field" }, input, make("span", { class: unit === "°" ? "unit close" : "unit", "aria-hidden": "true" }, unit));
   return { head: [label, field], body: [range], show };
 }
 

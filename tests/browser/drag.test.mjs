@@ -104,6 +104,22 @@ test("the width's arrow, dragged 60 px: value, geometry and panel follow, and th
   assert.equal(await valueOf(page, kWidth), value);
 });
 
+test("hovering over an arrow leaves the picture under the lines as it is", async () => {
+  const box = await pictureBox(page);
+  const { grip } = await widthHandle();
+  await page.mouse.move(box.x + 2, box.y + 2);
+  await settle(page);
+  const before = decodePng(await page.screenshot({ clip: box }));
+  await page.mouse.move(...grip);
+  await settle(page);
+  const hovered = decodePng(await page.screenshot({ clip: box }));
+  let changed = 0;
+  for (let i = 0; i < before.pixels.length; i += before.channels) changed += Math.abs(before.pixels[i] - hovered.pixels[i]) > 16 ? 1 : 0;
+  const share = changed / (before.width * before.height);
+  assert.ok(share > 0 && share < 0.03, `${(share * 100).toFixed(1)} % of the pixels changed`);
+  await page.mouse.move(box.x + 2, box.y + 2);
+});
+
 test("Esc in the middle of a drag takes all of it back", async () => {
   const before = { layout: await layoutOf(page), parameters: await call(page, "getParameters") };
   const { grip, direction } = await widthHandle();
