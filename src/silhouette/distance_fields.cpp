@@ -89,8 +89,8 @@ bool inViewport(const DistanceFields& fields, const Vec2& p) {
 
 void DistanceField::reset(std::size_t strips) {
   size_ = strips;
-  leafCount_ = std::bit_ceil(std::max<std::size_t>(strips, 1));
-  values_.assign(size_, kNoSilhouette);
+  leafCount_ = std::bit_ceil(std::max<std::size_t>(strips, 16));
+  values_.assign(size_ + 3, kNoSilhouette);
   tree_.assign(2 * leafCount_, Range{});
 }
 

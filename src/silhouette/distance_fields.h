@@ -37,6 +37,7 @@ class DistanceField {
 
   [[nodiscard]] std::size_t size() const { return size_; }
   [[nodiscard]] float at(std::size_t strip) const { return values_[strip]; }
+  /// Three more floats after the last may be read (kNoSilhouette), so that a loop can take four at a time.
   [[nodiscard]] std::span<const float> values() const { return {values_.data(), size_}; }
 
   /// Writable values; the tree is stale until buildTree().
@@ -55,7 +56,7 @@ class DistanceField {
   [[nodiscard]] float max(std::size_t first, std::size_t last) const;
 
   /// The tree itself, for queries that descend: node 1 is the root, node n has children 2n and 2n+1, and the leaves are the strips,
-  /// padded to leafCount() (a power of two) by empty ones.
+  /// padded to leafCount() (a power of two, 16 at least) by empty ones. Levels follow each other in memory, so that a query may also sweep one.
   struct Range {
     float min = kNoSilhouette;
     float max = kNoSilhouette;
