@@ -207,7 +207,7 @@ public:
 
   // --- Primitives with a shape of their own ------------------------------------------------------------------------------
 
-  /// Turns a profile of (radius, height) about the vertical line through the middle of the scope's floor. The profile is an open line; ends that are
+  /// Turns a profile of (radius >= 0, height) about the vertical line through the middle of the scope's floor. The profile is an open line; ends that are
   /// not on the axis are closed by flat discs. It may run either way, up or down, in and out.
   void lathe(std::span<const Vec2> profile, const RoundOptions& options = {});
 

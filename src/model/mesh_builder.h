@@ -16,6 +16,8 @@ class MeshBuilder {
 public:
   /// Points nearer than this are one when they are welded (m). Far below anything that is built, far above rounding.
   static constexpr double kWeldM = 1e-6;
+  /// A size, or a distance between points of an outline, below this is none (m).
+  static constexpr double kNothingM = 1e-9;
 
   explicit MeshBuilder(Mesh& mesh) : mesh_(mesh) { beginPart(); }
 

@@ -259,6 +259,24 @@ Ring offset(std::span<const Vec2> input, double distanceM) {
   return ring;
 }
 
+std::vector<EdgeNormals> edgeNormals(std::span<const Vec2> ring, double creaseRad) {
+  const std::size_t n = ring.size();
+  std::vector<Vec2> flat(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    const Vec2 e = glm::normalize(ring[(i + 1) % n] - ring[i]);
+    flat[i] = {e.y, -e.x};
+  }
+  const double creaseCos = std::cos(creaseRad);
+  const auto between = [&](const Vec2& own, const Vec2& other) {
+    return glm::dot(own, other) > creaseCos ? glm::normalize(own + other) : own;
+  };
+  std::vector<EdgeNormals> normals(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    normals[i] = {between(flat[i], flat[(i + n - 1) % n]), between(flat[i], flat[(i + 1) % n])};
+  }
+  return normals;
+}
+
 std::vector<std::array<std::uint32_t, 3>> triangulate(const Polygon& polygon) {
   if (polygon.outer.size() < 3) return {};
   return Triangulator(polygon).run();

@@ -40,6 +40,13 @@ void orient(Polygon& polygon);
 ///      +-----------+          +-----------+
 Ring offset(std::span<const Vec2> ring, double distanceM);
 
+/// Outward normals at the two ends of each edge of a counter-clockwise ring, for shading: where the ring bends by less than
+/// `creaseRad`, neighbouring edges share their mean. Parallel to the ring; points must not repeat.
+struct EdgeNormals {
+  Vec2 start, end;
+};
+std::vector<EdgeNormals> edgeNormals(std::span<const Vec2> ring, double creaseRad);
+
 /// The region cut into triangles, each counter-clockwise. Indices count the outer ring's points first and then those of the holes, in order.
 /// Exactly these points are used, each ring edge belongs to one triangle, and no triangle is flat, so the triangulation of
 /// a polygon can be one side of a closed solid. `polygon` must be oriented (see orient).

@@ -14,7 +14,6 @@ constexpr double kWindowW = 0.8, kWindowH = 0.9;
 constexpr double kBodyW = 1.3;        // of the dormer, wall to wall
 constexpr double kCheek = 1.22;       // from the roof's face to the dormer's eave, in front
 constexpr double kBehindWall = 0.75;  // the dormer's front from the facade
-constexpr double kFrontWall = 0.2;
 constexpr double kDormerOver = 0.16;
 constexpr double kDormerSlab = 0.11;
 constexpr double kDormerPitch = 0.66;
@@ -55,14 +54,12 @@ void drawDormer(const House& house, const Dormer& d, double axis) {
   const Ring gable{{0, 0}, {kBodyW, 0}, {kBodyW, wallH}, {kBodyW * 0.5, peak}, {0, wallH}};
   const Vec2 window((kBodyW - kWindowW) * 0.5, 0.35 + 0.14);
   b.push([&] {
+    // In one piece, with the window's opening running through it: a front wall of its own would show a joint.
     b.translate({left, bottom, d.backZ});
-    b.scale({kBodyW, wallH, d.frontZ - kFrontWall - d.backZ});
+    b.scale({kBodyW, wallH, d.frontZ - d.backZ});
     b.material(house.m.plaster);
-    b.extrudePolygon(gable);
-    b.translate({0, 0, b.size().z});
-    b.scale(Axis::kZ, kFrontWall);
     b.extrudePolygon(Polygon{gable, {rectangleRing(window, window + Vec2(kWindowW, kWindowH))}});
-    b.translate({window.x, window.y, kFrontWall});
+    b.translate({window.x, window.y, b.size().z});
     b.scale({kWindowW, kWindowH, 0});
     drawGlazing(house, 2, 2);
     drawSurround(house, true);
@@ -107,13 +104,17 @@ void drawRoofWindows(const House& house, const Roof& roof, bool hip) {
   const Plan& plan = house.plan;
   const std::vector<double> axes = dormerAxes(plan);
   if (const std::optional<Dormer> dormer = fitDormer(plan, roof)) {
-    for (const double axis : axes) {
-      // On a hip roof the end slopes must stay clear of it; over there the height at its back corners is less than behind its middle.
-      const double half = kBodyW * 0.5 + kDormerOver;
-      const bool clear = roof.heightAt(axis - half, dormer->backZ) > dormer->ridge &&
-                         roof.heightAt(axis + half, dormer->backZ) > dormer->ridge;
-      if (clear) drawDormer(house, *dormer, axis);
-    }
+    // The end slopes of a hip roof must stay clear of it: what swallows its ridge behind is the front slope.
+    const double half = kBodyW * 0.5 + kDormerOver;
+    const auto clear = [&](double axis) {
+      return std::min(roof.heightAt(axis - half, dormer->backZ), roof.heightAt(axis + half, dormer->backZ)) >
+             dormer->ridge;
+    };
+    std::vector<double> fitting;
+    std::copy_if(axes.begin(), axes.end(), std::back_inserter(fitting), clear);
+    const double middle = plan.front.axisOf(plan.front.bays / 2);
+    if (fitting.empty() && clear(middle)) fitting.push_back(middle);
+    for (const double axis : fitting) drawDormer(house, *dormer, axis);
   }
   const double w = 0.78, h = 1.18;
   b.slopes(roof, [&](int i) {

@@ -153,6 +153,26 @@ void drawStringCourses(const House& house) {
   }
 }
 
+/// Broad flat pilasters round the corners, which also cover where the walls meet.
+void drawCorners(const House& house) {
+  Builder& b = house.b;
+  const double w = b.size().x, d = b.size().z, broad = 0.42, out = 0.03, in = -0.02;
+  b.push([&] {
+    // Under a pitched roof they end where its underside passes over their outer faces.
+    b.scale(Axis::kY, house.plan.wallHeight + house.plan.kneeHeight - 0.04);
+    b.material(house.m.trim);
+    const auto corner = [&](double x, double towardsX, double z, double towardsZ) {
+      const double xo = x - out * towardsX, xi = x - in * towardsX, zo = z - out * towardsZ, zi = z - in * towardsZ;
+      const double xe = x + broad * towardsX, ze = z + broad * towardsZ;
+      b.extrudePolygon(Ring{{xe, zi}, {xe, zo}, {xo, zo}, {xo, ze}, {xi, ze}, {xi, zi}}, Axis::kY);
+    };
+    corner(0, 1, 0, 1);
+    corner(w, -1, 0, 1);
+    corner(w, -1, d, -1);
+    corner(0, 1, d, -1);
+  });
+}
+
 struct WindowKit {
   PartId window, shutter, rail;
   bool rails;
@@ -235,6 +255,7 @@ void buildFacades(const House& house) {
     });
   }
   drawStringCourses(house);
+  drawCorners(house);
 }
 
 }  // namespace dimline::house

@@ -1,0 +1,104 @@
+#include <cassert>
+#include <cmath>
+
+#include "model/builder.h"
+
+// Sections drawn along a path. The frame of the section goes along without turning about the path; where the path bends, the
+// section's lines before and after meet in the plane that halves the bend.
+
+namespace dimline {
+
+namespace {
+
+Vec3 rotated(const Vec3& v, const Vec3& from, const Vec3& to) {
+  // The least rotation that takes one unit vector to another (never opposite ones here).
+  const Vec3 axis = glm::cross(from, to);
+  const double c = glm::dot(from, to);
+  return v * c + glm::cross(axis, v) + axis * (glm::dot(axis, v) / (1 + c));
+}
+
+/// A path with the frame of each of its segments.
+struct Path {
+  std::vector<Vec3> points;
+  bool closed;
+  std::vector<Vec3> way, right, up;
+
+  Path(std::span<const Vec3> input, const Builder::SweepOptions& options) : closed(options.closed) {
+    for (const Vec3& p : input) {
+      if (points.empty() || glm::length(p - points.back()) > MeshBuilder::kNothingM) points.push_back(p);
+    }
+    if (closed && points.size() > 1 && glm::length(points.front() - points.back()) <= MeshBuilder::kNothingM)
+      points.pop_back();
+    if (points.size() < (closed ? 3U : 2U)) return;
+    const std::size_t segments = closed ? points.size() : points.size() - 1;
+    for (std::size_t s = 0; s < segments; ++s) {
+      way.push_back(glm::normalize(points[(s + 1) % points.size()] - points[s]));
+      assert(s > 0 || glm::length(glm::cross(way[0], options.up)) > 1e-6);  // up must not lie along the path
+      right.push_back(
+          glm::normalize(s == 0 ? glm::cross(way[0], options.up) : rotated(right[s - 1], way[s - 1], way[s])));
+      up.push_back(glm::cross(right[s], way[s]));
+    }
+  }
+
+  [[nodiscard]] std::size_t segments() const { return way.size(); }
+
+  /// Where the section's point q lies at path point i: on the line through it along the segment before (after, at the start), in the plane there.
+  [[nodiscard]] Vec3 at(std::size_t i, const Vec2& q) const {
+    const std::size_t s = i == 0 ? 0 : i - 1;
+    const bool bend = closed || (i > 0 && i < segments());
+    const Vec3 plane = bend ? glm::normalize(way[(i + segments() - 1) % segments()] + way[i % segments()]) : way[s];
+    const Vec3 o = right[s] * q.x + up[s] * q.y;
+    return points[i] + o - way[s] * (glm::dot(o, plane) / glm::dot(way[s], plane));
+  }
+};
+
+}  // namespace
+
+void Builder::sweep(const Ring& input, std::span<const Vec3> pathInput, const SweepOptions& options) {
+  Polygon section{input, {}};
+  orient(section);
+  const Ring& ring = section.outer;
+  const Path path(pathInput, options);
+  if (ring.size() < 3 || path.segments() == 0) return;
+
+  MeshBuilder& out = mesh();
+  out.beginPart();
+  const std::size_t n = ring.size(), count = path.points.size();
+  std::vector<std::uint32_t> points;
+  for (std::size_t i = 0; i < count; ++i) {
+    for (const Vec2& q : ring) points.push_back(out.point(toMesh(path.at(i, q))));
+  }
+
+  const std::vector<EdgeNormals> normals = edgeNormals(ring, options.creaseRad);
+  double along = 0;
+  for (std::size_t s = 0; s < path.segments(); ++s) {
+    const std::size_t from = s * n, to = (s + 1) % count * n;
+    const double nextAlong = along + glm::length(path.points[(s + 1) % count] - path.points[s]);
+    const auto normal = [&](const Vec2& v) {
+      return glm::normalize(directionToMesh(path.right[s] * v.x + path.up[s] * v.y));
+    };
+    double around = 0;
+    for (std::size_t i = 0; i < n; ++i) {
+      const std::size_t j = (i + 1) % n;
+      const double nextAround = around + glm::length(ring[j] - ring[i]);
+      const Vec3 ni = normal(normals[i].start), nj = normal(normals[i].end);
+      out.quad({points[from + j], nj, glm::vec2(nextAround, along)}, {points[from + i], ni, glm::vec2(around, along)},
+               {points[to + i], ni, glm::vec2(around, nextAlong)},
+               {points[to + j], nj, glm::vec2(nextAround, nextAlong)}, material());
+      around = nextAround;
+    }
+    along = nextAlong;
+  }
+  if (path.closed) return;
+
+  const Vec3 nearNormal = directionToMesh(-path.way.front()), farNormal = directionToMesh(path.way.back());
+  const auto cap = [&](std::size_t i, std::uint32_t q, const Vec3& normal) {
+    return MeshBuilder::Corner{points[i * n + q], normal, glm::vec2(ring[q])};
+  };
+  for (const auto& [a, b, c] : triangulate(section)) {
+    out.triangle(cap(0, a, nearNormal), cap(0, b, nearNormal), cap(0, c, nearNormal), material());
+    out.triangle(cap(count - 1, c, farNormal), cap(count - 1, b, farNormal), cap(count - 1, a, farNormal), material());
+  }
+}
+
+}  // namespace dimline
