@@ -24,6 +24,14 @@ void writePolyline(JsonWriter& json, const std::vector<Vec2>& points) {
   json.endArray();
 }
 
+void writeHandles(JsonWriter& json, const std::vector<Handle>& handles) {
+  json.key("handles").beginArray();
+  for (const Handle& handle : handles) {
+    json.beginObject().key("end").value(handle.atEnd ? "end" : "start").key("screen").value(handle.screen).endObject();
+  }
+  json.endArray();
+}
+
 void writeLine(JsonWriter& json, const Model& model, const Scene& scene, const PlacedLine& line) {
   const Parameter& parameter = model.parameters()[line.parameter];
   const Annotation& annotation = *model.annotations[line.parameter];
@@ -53,12 +61,35 @@ void writeLine(JsonWriter& json, const Model& model, const Scene& scene, const P
   } else {
     json.null();
   }
-  json.key("handles").beginArray();
-  for (const Handle& handle : line.handles) {
-    json.beginObject().key("end").value(handle.atEnd ? "end" : "start").key("screen").value(handle.screen).endObject();
-  }
-  json.endArray();
+  writeHandles(json, line.handles);
   json.key("identity").value(identityText(line.identity, model.parameters()));
+  json.endObject();
+}
+
+void writeOther(JsonWriter& json, const Model& model, const Scene& scene, const PlacedHandle& handle) {
+  const Parameter& parameter = model.parameters()[handle.parameter];
+  json.beginObject();
+  json.key("parameter").value(parameter.name);
+  json.key("scope").value(model.annotations[handle.parameter]->scope);
+  json.key("scopeIndex").value(handle.scope < scene.scopes.size() ? static_cast<int>(scene.scopes[handle.scope].index) : handle.identity.scopeIndex);
+  json.key("type").value(name(handle.type));
+  json.key("value");
+  writeValue(json, parameter, handle.value);
+  json.key("text").value(handle.text);
+  json.key("placement").value(name(handle.placement));
+  json.key("anchor").value(handle.anchor);
+  json.key("box").value(handle.box);
+  writeHandles(json, handle.handles);
+  if (handle.type == HandleType::kRange) {
+    json.key("options").beginArray();
+    for (const RangeOption& option : handle.options) {
+      json.beginObject().key("value");
+      writeValue(json, parameter, option.value);
+      json.key("box").value(option.box).endObject();
+    }
+    json.endArray();
+  }
+  json.key("identity").value(identityText(handle.identity, model.parameters()));
   json.endObject();
 }
 
@@ -130,7 +161,9 @@ void writeFrame(JsonWriter& json, const Model& model, const Scene& scene, const 
   json.key("lines").beginArray();
   for (const PlacedLine& line : layout.lines) writeLine(json, model, scene, line);
   json.endArray();
-  json.key("others").beginArray().endArray();
+  json.key("others").beginArray();
+  for (const PlacedHandle& handle : layout.others) writeOther(json, model, scene, handle);
+  json.endArray();
   json.key("hidden").beginArray();
   for (const HiddenParameter& hidden : layout.hidden) {
     json.beginObject();

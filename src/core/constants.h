@@ -48,6 +48,17 @@ inline constexpr double kLabelPaddingPx = 4.0;
 /// px. Size of the text on dimension lines. The advance table in placement/text_metrics.h is in units of this size.
 inline constexpr double kLabelFontSizePx = 14.0;
 
+/// px. A switch or a choice on the model is a pill: its height (a comfortable target for a mouse; touch gets more by its grab radius), and what it is wider
+/// than its text: padding, and the switch or the chevron.
+inline constexpr double kPillHeightPx = 28.0;
+inline constexpr double kPillExtraWidthPx = 52.0;
+
+/// An arc's radius as a share of the smaller side of its scope across the axis, and its least and greatest on screen (px): smaller cannot be grabbed,
+/// larger dwarfs the model.
+inline constexpr double kArcRadiusShare = 0.6;
+inline constexpr double kArcMinRadiusPx = 36.0;
+inline constexpr double kArcMaxRadiusPx = 140.0;
+
 // --- Placement: the score of section 4.2 ------------------------------------------------------------------------------
 
 inline constexpr double kScoreDistance = -1.0;                           ///< lambda 1, per px
@@ -78,6 +89,10 @@ inline constexpr int kVisibilitySamples = 384;
 /// Share of the model's size by which a scope's box may lie behind the model's surface and still count as seen: window boxes reach into
 /// the wall, and facades stand a little before their scopes. Too small hides what is plainly there, too large shows it through thin walls.
 inline constexpr double kScopeSkinShare = 0.01;
+
+/// Share of the viewport that is plenty to see: a scope that covers more is judged as if it covered this much, so that a house of which a whole wall shows is not
+/// hidden for its other walls.
+inline constexpr double kPlentySeenShare = 0.003;
 
 /// Share of a scope's screen area that must be seen for it to be shown, and below which one that is shown is dropped again. Two
 /// thresholds, so that a scope at the edge of sight does not flicker.

@@ -19,6 +19,25 @@ void Landed::add(const PlacedLine& line, int guide) {
   if (line.label) labels_.push_back(*line.label);
 }
 
+void Landed::add(const PlacedHandle& handle, const View& view) {
+  labels_.push_back(handle.box);
+  if (!handle.arc) {
+    if (handle.placement != PlacementKind::kInside) extensions_.push_back({handle.anchor, handle.box.center()});
+    return;
+  }
+  // Two chords and the arms come near enough to an arc for what keeps away from it.
+  const Arc& arc = *handle.arc;
+  const Vec2 center = view.toScreen(arc.center);
+  Vec2 last = view.toScreen(arc.at(0));
+  extensions_.push_back({center, last});
+  for (const double share : {0.5, 1.0}) {
+    const Vec2 next = view.toScreen(arc.at(arc.angleRad * share));
+    lines_.push_back({{last, next}, -1});
+    last = next;
+  }
+  extensions_.push_back({center, last});
+}
+
 Landed::Crossings Landed::crossings(const Segment2& base, const Segment2& foot, const Segment2& line) const {
   // A foot that is the base line's own end makes a part of no length, which crosses nothing.
   const std::array<Segment2, 5> parts{line, Segment2{foot.start, line.start}, Segment2{foot.end, line.end}, Segment2{base.start, foot.start},

@@ -13,6 +13,8 @@ class Landed {
   void clear();
   /// `guide`: the number of the guide that the line lies on or has made; -1 when it has none.
   void add(const PlacedLine& line, int guide);
+  /// A pill, or an arc with its label.
+  void add(const PlacedHandle& handle, const View& view);
 
   /// What a line, or one of its extension lines from the base line by way of its foot on the plane, runs across of what has landed.
   struct Crossings {

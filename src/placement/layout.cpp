@@ -1,6 +1,12 @@
 #include "placement/layout.h"
 
+#include <cmath>
+
 namespace dimline {
+
+Vec3 Arc::at(double rad) const {
+  return center + (from * std::cos(rad) + glm::cross(axis, from) * std::sin(rad)) * radiusM;
+}
 
 std::string_view name(PlacementKind kind) {
   switch (kind) {

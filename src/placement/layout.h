@@ -64,15 +64,51 @@ struct PlacedLine {
   std::vector<Handle> handles;
 };
 
+/// The arc of an angular handle in the world: it begins at center + from * radiusM and turns about `axis` by angleRad, counter-clockwise seen against it.
+struct Arc {
+  Vec3 center{0.0};
+  Vec3 from{1, 0, 0};    ///< unit length
+  Vec3 axis{0, 0, 1};    ///< unit length, at right angles to `from`
+  double radiusM = 0;
+  double angleRad = 0;
+
+  [[nodiscard]] Vec3 at(double rad) const;
+};
+
+/// One choice of a range handle, and where it is offered when the handle is open.
+struct RangeOption {
+  double value = 0;
+  std::string text;
+  Box2 box;              ///< px
+};
+
+/// A handle that is no line: an arc for an angle, a switch, the choices of a range (paper 5, figures 18 and 23).
+struct PlacedHandle {
+  std::size_t parameter = 0;
+  std::size_t scope = 0;           ///< index into Scene::scopes
+  Identity identity;
+  HandleType type = HandleType::kBoolean;
+  PlacementKind placement = PlacementKind::kInside;
+  double value = 0;
+  std::string text;
+  Vec2 anchor{0.0};                ///< px, the point of the feature that the handle belongs to; a leader line runs from there to the handle when it is outside
+  Box2 box;                        ///< px, all that it covers; of an arc its label's box
+  std::optional<Arc> arc;          ///< of an angular handle
+  std::vector<Handle> handles;     ///< what can be taken hold of
+  std::vector<RangeOption> options;
+};
+
 struct HiddenParameter {
   std::size_t parameter = 0;
   HiddenReason reason = HiddenReason::kNoScope;
 };
 
-/// The plain-data result of one frame (DESIGN.md sections 2 and 6). Every parameter with a dimension line is in exactly one of lines and hidden.
+/// The plain-data result of one frame (DESIGN.md sections 2 and 6). Every annotated parameter is in exactly one of lines, others and hidden; the
+/// members of a chain are several lines of one parameter.
 struct Layout {
   View view;
   std::vector<PlacedLine> lines;
+  std::vector<PlacedHandle> others;
   std::vector<HiddenParameter> hidden;
   std::vector<std::size_t> visibleScopes;   ///< indices into Scene::scopes
 };

@@ -8,6 +8,7 @@
 #include "placement/label_text.h"
 #include "placement/labels.h"
 #include "placement/landed.h"
+#include "placement/other_handles.h"
 #include "placement/score.h"
 #include "placement/text_metrics.h"
 #include "placement/visibility.h"
@@ -23,7 +24,7 @@ namespace dimline {
 
 namespace {
 
-/// A parameter with a dimension line, and what it measures. Made at model change.
+/// An annotated parameter, and what it measures. Made at model change.
 struct Measured {
   std::size_t parameter = 0;
   Annotation annotation;
@@ -76,7 +77,8 @@ struct Placer::State {
   std::vector<Parameter> parameters;
   std::vector<Scope> scopes;
   double modelSizeM = 0;
-  std::vector<Measured> order;        ///< shortest first
+  std::vector<Measured> order;        ///< those with dimension lines, shortest first
+  std::vector<Measured> others;       ///< those with other handles, in the order of their definition
   std::vector<ObjectPlane> objectPlanes;
   std::vector<Identity> lastFrame;    ///< one a parameter; its `parameter` is always set, the rest as chosen
 
@@ -95,7 +97,9 @@ struct Placer::State {
   std::vector<Member> members;        ///< of the candidate that is looked at
   std::vector<Member> winnerMembers;
   TakenStretches chainStretches;
+  std::vector<std::size_t> scopesInSight;
   std::vector<PlacedLine> spareLines;
+  std::vector<PlacedHandle> spareHandles;
 
   [[nodiscard]] std::vector<Segment> allBaseLines() const;
   void findVisible(const View& view, const ScopeVisibility* visibility);
@@ -115,7 +119,9 @@ struct Placer::State {
   void landHeld(const PlacedLine& held, Layout& layout);
   void occupy(const PlacedLine& line, int guide);
   int guideOf(const Candidate& winner);
+  void placeOther(const Measured& measured, const View& view, double value, Layout& layout);
   PlacedLine& appendLine(Layout& layout);
+  PlacedHandle& appendHandle(Layout& layout);
   void recycle(Layout& layout);
 };
 
@@ -143,9 +149,10 @@ void Placer::setScene(const Model& model, const Scene& scene) {
     forget();
   }
   s.order.clear();
+  s.others.clear();
   for (std::size_t i = 0; i < s.parameters.size(); ++i) {
     const auto& annotation = model.annotations[i];
-    if (!annotation || !isLine(annotation->type)) continue;
+    if (!annotation) continue;
     Measured measured;
     measured.parameter = i;
     measured.annotation = *annotation;
@@ -155,7 +162,7 @@ void Placer::setScene(const Model& model, const Scene& scene) {
     if (annotation->chained) measured.clusters = clusterBaseLines(*annotation, s.scopes, measured.scopes, s.modelSizeM);
     measured.meanLengthM = meanBaseLengthM(*annotation, s.scopes, measured.scopes);
     measured.textValue = std::numeric_limits<double>::quiet_NaN();   // equal to no value: the text is made in the first frame
-    s.order.push_back(std::move(measured));
+    (isLine(annotation->type) ? s.order : s.others).push_back(std::move(measured));
   }
   std::ranges::stable_sort(s.order, {}, &Measured::meanLengthM);
   s.objectPlanes = objectPlanes(s.allBaseLines(), scene.bounds);
@@ -184,6 +191,36 @@ void Placer::place(const View& view, const DistanceFields& fields, const Values&
       s.placeParameter(measured, view, fields, values.at(measured.parameter), layout);
     }
   }
+  // Lines are bound to their planes; a switch finds a place nearly anywhere, so it takes what they leave.
+  for (const Measured& other : s.others) s.placeOther(other, view, values.at(other.parameter), layout);
+}
+
+void Placer::State::placeOther(const Measured& measured, const View& view, double value, Layout& layout) {
+  scopesInSight.clear();
+  BaseLineTally tally;
+  for (const std::size_t scope : measured.scopes) {
+    if (visible(measured.annotation, scope)) {
+      scopesInSight.push_back(scope);
+    } else {
+      ++(inView[scope] != 0 ? tally.occluded : tally.outOfView);
+    }
+  }
+  Identity& last = lastFrame[measured.parameter];
+  const OtherHandle handle{measured.parameter, parameters[measured.parameter], measured.annotation, scopesInSight, value, last};
+  const OtherHandleContext context{view, padded, landed, scopes};
+  PlacedHandle& placed = appendHandle(layout);
+  const bool arc = measured.annotation.type == HandleType::kAngular;
+  if (!(arc ? placeArc(handle, context, placed) : placePill(handle, context, placed))) {
+    spareHandles.push_back(std::move(placed));
+    layout.others.pop_back();
+    if (arc && !scopesInSight.empty()) ++tally.foreshortened;
+    layout.hidden.push_back({measured.parameter, reasonFor(tally, !measured.scopes.empty())});
+    last = {.parameter = last.parameter};
+    return;
+  }
+  last = placed.identity;
+  landed.add(placed, view);
+  pullIn(padded, placed.box, kLabelClearancePx);
 }
 
 /// The base lines of all parameters that do not depend on the view, from which the object planes are made.
@@ -467,11 +504,22 @@ PlacedLine& Placer::State::appendLine(Layout& layout) {
   return layout.lines.back();
 }
 
-/// Takes the lines of the last layout back with the memory they hold.
+PlacedHandle& Placer::State::appendHandle(Layout& layout) {
+  if (spareHandles.empty()) return layout.others.emplace_back();
+  layout.others.push_back(std::move(spareHandles.back()));
+  spareHandles.pop_back();
+  return layout.others.back();
+}
+
+/// Takes the lines and handles of the last layout back with the memory they hold.
 void Placer::State::recycle(Layout& layout) {
   while (!layout.lines.empty()) {
     spareLines.push_back(std::move(layout.lines.back()));
     layout.lines.pop_back();
+  }
+  while (!layout.others.empty()) {
+    spareHandles.push_back(std::move(layout.others.back()));
+    layout.others.pop_back();
   }
 }
 

@@ -1,5 +1,6 @@
 #include "silhouette/scope_visibility.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/constants.h"
@@ -25,7 +26,10 @@ float seenShare(const Obb& box, const View& view, const DepthBuffer& depth, doub
       total.seen += seen.seen;
     }
   }
-  if (total.covered > 0) return static_cast<float>(total.seen) / static_cast<float>(total.covered);
+  if (total.covered > 0) {
+    const double plenty = std::max(1.0, kPlentySeenShare * depth.width() * depth.height());
+    return static_cast<float>(std::min(1.0, total.seen / std::min(static_cast<double>(total.covered), plenty)));
+  }
   // A box between the samples: its middle stands for it.
   const Vec3 middle = box.center();
   if (!view.inFrontOfNear(middle)) return 0.0F;

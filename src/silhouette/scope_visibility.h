@@ -7,7 +7,8 @@
 namespace dimline {
 
 /// How much of each scope can be seen, for dropping the lines of features on the model's far side (algorithm 1, line 1).
-/// One value a scope, in the scene's order: the share of the box's screen area where the box is not behind the model, 0 (hidden, or out of view) to 1.
+/// One value a scope, in the scene's order: the share of the box's screen area (of kPlentySeenShare of the viewport, if that is less) where the box is not behind
+/// the model, 0 (hidden, or out of view) to 1.
 /// Two producers fill it, on the CPU and on the GPU; both count a scope's box as seen where it is nearer than the model, or no farther
 /// behind its surface than kScopeSkinShare of the model's size (boxes mostly lie in the model's faces).
 struct ScopeVisibility {

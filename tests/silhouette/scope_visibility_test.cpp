@@ -18,6 +18,7 @@ Scene wallWithScopes() {
   scene.scopes.push_back({"HalfBehind", 0, boxAt({4, 1, -3}, {2, 2, 1})});
   scene.scopes.push_back({"Tiny", 0, boxAt({2, 3, 0.1}, {1e-4, 1e-4, 1e-4})});
   scene.scopes.push_back({"BehindTheViewer", 0, boxAt({0, 1, 60}, {2, 2, 2})});
+  scene.scopes.push_back({"SmallHalfBehind", 0, boxAt({4.75, 1, -2.5}, {0.5, 0.5, 0.5})});
   finish(scene);
   return scene;
 }
@@ -38,8 +39,10 @@ TEST_CASE("scopes before the model and in its faces are seen, scopes behind it a
     CHECK(visibility.seenShare[0] == 1.0F);
     CHECK(visibility.seenShare[1] == 0.0F);
     CHECK(visibility.seenShare[2] == 1.0F);
-    // The wall ends at x = 5; in perspective it hides its surroundings 2 m further back up to x = 5 * 42 / 40 = 5.25.
-    CHECK(visibility.seenShare[3] == Approx(orthographic ? 0.5 : 0.375).margin(0.04));
+    // Half of it stands out beside the wall, which is plenty.
+    CHECK(visibility.seenShare[3] == 1.0F);
+    // A small one is judged by its own area. The wall ends at x = 5; in perspective it hides what is 2 m further back up to x = 5 * 42 / 40 = 5.25.
+    CHECK(visibility.seenShare[6] == Approx(orthographic ? 0.5 : 0.0).margin(0.06));
     CHECK(visibility.seenShare[4] == 1.0F);
     CHECK(visibility.seenShare[5] == 0.0F);
   }

@@ -1,0 +1,268 @@
+#include "placement/other_handles.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "placement/label_text.h"
+#include "placement/score.h"
+#include "placement/text_metrics.h"
+
+namespace dimline {
+
+namespace {
+
+constexpr double kRadPerDeg = 0.017453292519943295;
+constexpr std::size_t kArcSamples = 16;
+
+/// The eight directions on screen in which a pill may move, by number: 0 is right, then clockwise on screen in steps of 45 degrees.
+Vec2 compass(int number) {
+  const double rad = number * 45.0 * kRadPerDeg;
+  return {std::cos(rad), std::sin(rad)};
+}
+
+bool inside(const Box2& box, const Box2& viewport) {
+  const Box2 allowed = viewport.grown(-kViewportMarginPx);
+  return box.min.x >= allowed.min.x && box.min.y >= allowed.min.y && box.max.x <= allowed.max.x && box.max.y <= allowed.max.y;
+}
+
+Box2 boxAround(const Vec2& center, const Vec2& size) { return {center - size * 0.5, center + size * 0.5}; }
+
+/// The middle of a scope's face in the direction of `orient`.
+Vec3 anchorOf(const Annotation& annotation, const Obb& scope) {
+  Vec3 uvw = Vec3(0.5) + annotation.translate;
+  const AxisSense along = axisOf(annotation.orient);
+  if (along.axis >= 0) uvw[along.axis] += 0.5 * along.sense;
+  return scope.at(uvw);
+}
+
+/// The shift at which one field is cleared. Moving on changes the strips under the box, which may ask for more; each round goes as far as the strips seen
+/// so far ask, so it only grows.
+double leastShiftPx(const DistanceFields& fields, ViewportEdge edge, const Box2& box, const Vec2& direction) {
+  const bool rows = edge == ViewportEdge::kLeft || edge == ViewportEdge::kRight;
+  const int away = rows ? 0 : 1;
+  const int along = 1 - away;
+  const bool fromLow = edge == ViewportEdge::kLeft || edge == ViewportEdge::kTop;
+  const double towardsEdge = fromLow ? -direction[away] : direction[away];
+  const DistanceField& field = fields[edge];
+  double shift = 0;
+  for (int round = 0; round < 64; ++round) {
+    const double low = box.min[along] + shift * direction[along];
+    const double high = box.max[along] + shift * direction[along];
+    if (!(low >= 0 && high <= static_cast<double>(field.size()))) return std::numeric_limits<double>::infinity();
+    const auto first = static_cast<std::size_t>(std::min(std::floor(low), static_cast<double>(field.size()) - 1));
+    const auto last = static_cast<std::size_t>(std::clamp(std::ceil(high) - 1, static_cast<double>(first), static_cast<double>(field.size()) - 1));
+    const double nearest = static_cast<double>(field.min(first, last));
+    const double farSide = fromLow ? box.max[away] : fields.extentPx(edge) - box.min[away];
+    const double needed = farSide - shift * towardsEdge - nearest;
+    if (needed <= 1e-9) return shift;
+    if (!(towardsEdge > 1e-9)) {
+      // Only other strips can help: on to the next one.
+      if (!(std::abs(direction[along]) > 1e-9)) return std::numeric_limits<double>::infinity();
+      shift += 4.0 / std::abs(direction[along]);
+    } else {
+      shift += std::max(needed / towardsEdge, 1e-6);
+    }
+  }
+  return std::numeric_limits<double>::infinity();
+}
+
+/// Where the options of a range are offered: in a column under the pill, or over it when there is no room below.
+void placeOptions(const OtherHandle& handle, const OtherHandleContext& context, PlacedHandle& placed) {
+  const auto& choices = handle.definition.choices;
+  const double height = placed.box.max.y - placed.box.min.y;
+  const double below = placed.box.max.y + height * static_cast<double>(choices.size());
+  const bool up = below > context.view.heightPx() && placed.box.min.y > context.view.heightPx() * 0.5;
+  placed.options.resize(choices.size());
+  for (std::size_t i = 0; i < choices.size(); ++i) {
+    const double step = height * static_cast<double>(i + 1);
+    const Vec2 offset{0, up ? -step : step};
+    placed.options[i].value = static_cast<double>(i);
+    placed.options[i].text = choices[i];
+    placed.options[i].box = {placed.box.min + offset, placed.box.max + offset};
+  }
+}
+
+/// The arc as a polyline on screen. False when a part of it is nearer than the near plane.
+bool project(const Arc& arc, const View& view, std::array<Vec2, kArcSamples + 1>& points) {
+  for (std::size_t i = 0; i <= kArcSamples; ++i) {
+    const Vec3 p = arc.at(arc.angleRad * static_cast<double>(i) / kArcSamples);
+    if (!view.inFrontOfNear(p)) return false;
+    points[i] = view.toScreen(p);
+  }
+  return view.inFrontOfNear(arc.center);
+}
+
+/// Where the angle's text stands: beyond the middle of the arc, away from the centre.
+Box2 arcLabel(const Arc& arc, const Vec2& size, const View& view) {
+  const Vec2 middle = view.toScreen(arc.at(arc.angleRad * 0.5));
+  const Vec2 center = view.toScreen(arc.center);
+  const Vec2 out = middle - center;
+  const double length = glm::length(out);
+  const Vec2 direction = length > 0 ? out / length : Vec2(0, -1);
+  const double reach = 0.5 * (std::abs(direction.x) * size.x + std::abs(direction.y) * size.y);
+  return boxAround(middle + direction * (reach + kLabelPaddingPx * 2), size);
+}
+
+/// Moves an arc along its plane until arc, arms and label clear the padded fields, in steps of a few pixels. False when none of them does in the viewport.
+bool slideArc(Arc& arc, const Vec3& outward, const Vec2& labelSize, const OtherHandleContext& context) {
+  const double stepM = context.view.metresPerPixelAt(arc.center) * 6.0;
+  const int most = static_cast<int>((context.view.widthPx() + context.view.heightPx()) / 6.0);
+  std::array<Vec2, kArcSamples + 1> points;
+  for (int step = 0; step < most; ++step, arc.center += outward * stepM) {
+    if (!project(arc, context.view, points)) return false;
+    Box2 all = arcLabel(arc, labelSize, context.view);
+    for (const Vec2& p : points) all.add(p);
+    all.add(context.view.toScreen(arc.center));
+    if (step > 0 && !inside(all, context.view.viewport())) return false;
+    if (clears(context.padded, all) && context.landed.hasRoom(all)) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+double leastShiftPx(const DistanceFields& fields, const Box2& box, const Vec2& direction) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const ViewportEdge edge : kViewportEdges) least = std::min(least, leastShiftPx(fields, edge, box, direction));
+  return least;
+}
+
+Vec2 pillSizePx(const Parameter& parameter) {
+  double width = textWidthPx(parameter.title, kLabelFontSizePx);
+  for (const std::string& choice : parameter.choices) width = std::max(width, textWidthPx(choice, kLabelFontSizePx));
+  return {width + kPillExtraWidthPx, kPillHeightPx};
+}
+
+bool placePill(const OtherHandle& handle, const OtherHandleContext& context, PlacedHandle& placed) {
+  const Vec2 size = pillSizePx(handle.definition);
+  bool found = false;
+  double bestScore = -std::numeric_limits<double>::infinity();
+  const auto offer = [&](std::size_t scope, const Vec2& anchor, const Box2& box, int direction, double offerScore) {
+    if (offerScore <= bestScore) return;
+    found = true;
+    bestScore = offerScore;
+    placed.scope = scope;
+    placed.anchor = anchor;
+    placed.box = box;
+    placed.placement = direction < 0 ? PlacementKind::kInside : PlacementKind::kOutside;
+    placed.identity = {.parameter = static_cast<std::int32_t>(handle.parameter),
+                       .scopeIndex = static_cast<std::int32_t>(context.scopes[scope].index),
+                       .baseLine = 0,
+                       .plane = static_cast<std::int16_t>(direction),
+                       .direction = 0};
+  };
+  for (const std::size_t scope : handle.scopes) {
+    const Vec3 world = anchorOf(handle.annotation, context.scopes[scope].box);
+    if (!context.view.inFrontOfNear(world)) continue;
+    const Vec2 anchor = context.view.toScreen(world);
+    const Box2 atAnchor = boxAround(anchor, size);
+    if (!inside(atAnchor, context.view.viewport())) continue;
+    // A place outside beats any inside, as for lines.
+    constexpr double kInsideScore = -1e6;
+    if (context.landed.hasRoom(atAnchor)) offer(scope, anchor, atAnchor, -1, kInsideScore);
+    if (handle.annotation.slip == Slip::kNone) continue;
+    for (int number = 0; number < 8; ++number) {
+      const Vec2 direction = compass(number);
+      const double shift = leastShiftPx(context.padded, atAnchor, direction);
+      if (!std::isfinite(shift)) continue;
+      const Box2 box{atAnchor.min + direction * shift, atAnchor.max + direction * shift};
+      if (!inside(box, context.view.viewport()) || !context.landed.hasRoom(box)) continue;
+      const Identity identity{.parameter = static_cast<std::int32_t>(handle.parameter),
+                              .scopeIndex = static_cast<std::int32_t>(context.scopes[scope].index),
+                              .baseLine = 0,
+                              .plane = static_cast<std::int16_t>(number),
+                              .direction = 0};
+      const Vec2 tip = box.center() - direction * (0.5 * size.y);
+      const Landed::Crossings crossings = context.landed.crossings({anchor, anchor}, {anchor, anchor}, {tip, tip});
+      offer(scope, anchor, box, number,
+            score({.base = {anchor, anchor},
+                   .candidate = {box.center(), box.center()},
+                   .align = handle.annotation.align,
+                   .sameAsLastFrame = identity == handle.lastFrame,
+                   .intersects = crossings.lines}) +
+                (crossings.labels ? kScoreCoversLabel : 0.0));
+    }
+  }
+  if (!found) return false;
+  placed.parameter = handle.parameter;
+  placed.type = handle.annotation.type;
+  placed.value = handle.value;
+  placed.text = labelText(handle.definition, handle.value);
+  placed.arc.reset();
+  placed.handles.clear();
+  placed.handles.push_back({true, placed.box.center()});
+  placed.options.clear();
+  if (handle.annotation.type == HandleType::kRange) placeOptions(handle, context, placed);
+  return true;
+}
+
+Arc arcAt(const Annotation& annotation, const Obb& scope, double angleRad, double minRadiusM, double maxRadiusM) {
+  const AxisSense along = axisOf(annotation.orient);
+  const int axis = along.axis < 0 ? 2 : along.axis;
+  const int first = (axis + 1) % 3;
+  const int second = (axis + 2) % 3;
+  Arc arc;
+  arc.center = scope.at(annotation.translate);
+  arc.from = scope.axes[static_cast<std::size_t>(first)];
+  arc.axis = scope.axes[static_cast<std::size_t>(axis)];
+  arc.radiusM = std::clamp(kArcRadiusShare * std::min(scope.size[first], scope.size[second]), minRadiusM, maxRadiusM);
+  arc.angleRad = angleRad;
+  return arc;
+}
+
+bool placeArc(const OtherHandle& handle, const OtherHandleContext& context, PlacedHandle& placed) {
+  const std::string text = labelText(handle.definition, handle.value);
+  const Vec2 labelSize = labelSizePx(text);
+  bool found = false;
+  double bestScore = -std::numeric_limits<double>::infinity();
+  for (const std::size_t scope : handle.scopes) {
+    const Obb& box = context.scopes[scope].box;
+    const double metresPerPx = context.view.metresPerPixelAt(box.origin);
+    const Arc home = arcAt(handle.annotation, box, handle.value * kRadPerDeg, kArcMinRadiusPx * metresPerPx, kArcMaxRadiusPx * metresPerPx);
+    const double facing = std::abs(glm::dot(home.axis, context.view.directionTo(home.center)));
+    if (facing < std::sin(kForeshortenedAngleRad)) continue;
+    const auto offer = [&](const Arc& arc, PlacementKind placement, int direction, double offerScore) {
+      std::array<Vec2, kArcSamples + 1> points;
+      if (offerScore <= bestScore || !project(arc, context.view, points)) return;
+      const Vec2 center = context.view.toScreen(arc.center);
+      if (!inside({center, center}, context.view.viewport())) return;
+      found = true;
+      bestScore = offerScore;
+      placed.scope = scope;
+      placed.anchor = context.view.toScreen(home.center);
+      placed.box = arcLabel(arc, labelSize, context.view);
+      placed.placement = placement;
+      placed.arc = arc;
+      placed.handles.clear();
+      placed.handles.push_back({true, points[kArcSamples]});
+      placed.identity = {.parameter = static_cast<std::int32_t>(handle.parameter),
+                         .scopeIndex = static_cast<std::int32_t>(context.scopes[scope].index),
+                         .baseLine = 0,
+                         .plane = static_cast<std::int16_t>(direction),
+                         .direction = 0};
+    };
+    const auto damp = [&](int direction) {
+      return handle.lastFrame.scopeIndex == static_cast<std::int32_t>(context.scopes[scope].index) && handle.lastFrame.plane == direction ? kScoreDamp : 0.0;
+    };
+    // In its frame the arc that is turned most towards the viewer reads best; that is worth as much as the plane's facing is to a line.
+    offer(home, PlacementKind::kInside, -1, kScorePlane * facing + damp(-1) - 1e6 * (handle.annotation.slip == Slip::kNone ? 0 : 1));
+    if (handle.annotation.slip == Slip::kNone) continue;
+    const Vec3 other = glm::cross(home.axis, home.from);
+    for (int direction = 0; direction < 4; ++direction) {
+      Arc moved = home;
+      const Vec3 outward = (direction < 2 ? home.from : other) * (direction % 2 == 0 ? 1.0 : -1.0);
+      if (!slideArc(moved, outward, labelSize, context)) continue;
+      const Vec2 offset = context.view.toScreen(moved.center) - context.view.toScreen(home.center);
+      offer(moved, PlacementKind::kOutside, direction, kScorePlane * facing + damp(direction) + kScoreDistance * glm::length(offset));
+    }
+  }
+  if (!found) return false;
+  placed.parameter = handle.parameter;
+  placed.type = HandleType::kAngular;
+  placed.value = handle.value;
+  placed.text = text;
+  placed.options.clear();
+  return true;
+}
+
+}  // namespace dimline

@@ -1,0 +1,162 @@
+#include <catch2/catch.hpp>
+
+#include <cmath>
+
+#include "placement/other_handles.h"
+#include "silhouette/cpu_fields.h"
+#include "support/scenes.h"
+
+using namespace dimline;
+using namespace dimline::test;
+
+namespace {
+
+Annotation annotated(HandleType type, Orient orient, Slip slip) {
+  Annotation a;
+  a.scope = "Box";
+  a.type = type;
+  a.orient = orient;
+  a.slip = slip;
+  return a;
+}
+
+/// A box 8 by 5 by 6 seen orthographically from the front at 50 px a metre: it covers x 300..700, y 375..625.
+struct FrontOfBox {
+  Scene scene;
+  View view;
+  DistanceFields fields, padded;
+  Landed landed;
+  std::vector<std::size_t> scopes{0};
+  Identity none{.parameter = 0};
+
+  FrontOfBox() {
+    const Obb box = boxAt({-4, 0, -3}, {8, 5, 6});
+    addBox(scene, box);
+    scene.scopes.push_back({"Box", 0, box});
+    finish(scene);
+    Camera camera;
+    camera.eye = {0, 2.5, 30};
+    camera.target = {0, 2.5, 0};
+    camera.orthoHeightM = 20;
+    view = View(camera, 1000, 1000, scene.bounds);
+    CpuFields producer;
+    producer.setScene(scene);
+    producer.produce(view, fields);
+    pad(fields, kHandleSpacingPx, padded);
+  }
+  [[nodiscard]] OtherHandleContext context() const { return {view, padded, landed, scene.scopes}; }
+};
+
+}  // namespace
+
+TEST_CASE("the least shift of a box out of the model, worked out by hand") {
+  const FrontOfBox stage;
+  const Box2 box{{480, 380}, {520, 400}};   // 20 px high, its lower side 25 px under the model's top at 375
+  CHECK(leastShiftPx(stage.fields, box, {0, -1}) == Approx(25.0).margin(0.01));
+  CHECK(leastShiftPx(stage.padded, box, {0, -1}) == Approx(55.0).margin(0.01));
+  CHECK(leastShiftPx(stage.fields, box, {1, 0}) == Approx(220.0).margin(0.01));
+  // Aslant the way out is longer by the diagonal.
+  CHECK(leastShiftPx(stage.fields, box, Vec2(1, -1) * std::sqrt(0.5)) == Approx(25.0 * std::sqrt(2.0)).margin(0.01));
+  CHECK(leastShiftPx(stage.fields, {{100, 100}, {140, 120}}, {0, -1}) == 0.0);
+}
+
+TEST_CASE("a switch stands 30 px above the middle of the face its orientation names") {
+  const FrontOfBox stage;
+  const Parameter parameter{.name = "Attic", .title = "Attic", .type = ParameterType::kBool};
+  const Annotation annotation = annotated(HandleType::kBoolean, Orient::kUp, Slip::kScope);
+  PlacedHandle placed;
+  REQUIRE(placePill({0, parameter, annotation, stage.scopes, 1, stage.none}, stage.context(), placed));
+  CHECK(placed.placement == PlacementKind::kOutside);
+  CHECK(placed.anchor.x == Approx(500));
+  CHECK(placed.anchor.y == Approx(375));
+  CHECK(placed.box.center().x == Approx(500));
+  CHECK(placed.box.max.y == Approx(345).margin(0.01));
+  CHECK(placed.handles.size() == 1);
+  CHECK(placed.options.empty());
+}
+
+TEST_CASE("an alignment moves a pill to the wanted side") {
+  const FrontOfBox stage;
+  const Parameter parameter{.name = "Attic", .title = "Attic", .type = ParameterType::kBool};
+  Annotation annotation = annotated(HandleType::kBoolean, Orient::kUp, Slip::kScope);
+  annotation.align = Align::kTopRight;
+  PlacedHandle placed;
+  REQUIRE(placePill({0, parameter, annotation, stage.scopes, 1, stage.none}, stage.context(), placed));
+  CHECK(placed.box.center().x > 520);
+  CHECK(placed.box.max.y <= 345.01);
+}
+
+TEST_CASE("with slip none a pill stays at its anchor") {
+  const FrontOfBox stage;
+  const Parameter parameter{.name = "Attic", .title = "Attic", .type = ParameterType::kBool};
+  const Annotation annotation = annotated(HandleType::kBoolean, Orient::kUp, Slip::kNone);
+  PlacedHandle placed;
+  REQUIRE(placePill({0, parameter, annotation, stage.scopes, 1, stage.none}, stage.context(), placed));
+  CHECK(placed.placement == PlacementKind::kInside);
+  CHECK(placed.box.center() == placed.anchor);
+}
+
+TEST_CASE("a range offers its choices in a column, one for each") {
+  const FrontOfBox stage;
+  const Parameter parameter{.name = "Roof", .title = "Roof", .type = ParameterType::kChoice, .max = 2, .choices = {"gable", "hip", "flat"}};
+  const Annotation annotation = annotated(HandleType::kRange, Orient::kUp, Slip::kScope);
+  PlacedHandle placed;
+  REQUIRE(placePill({0, parameter, annotation, stage.scopes, 1, stage.none}, stage.context(), placed));
+  CHECK(placed.text == "hip");
+  REQUIRE(placed.options.size() == 3);
+  for (std::size_t i = 0; i < 3; ++i) {
+    CHECK(placed.options[i].value == static_cast<double>(i));
+    CHECK_FALSE(placed.options[i].box.overlaps(placed.box));
+    CHECK(placed.options[i].box.center().x == placed.box.center().x);
+  }
+}
+
+TEST_CASE("pills keep clear of what has landed") {
+  FrontOfBox stage;
+  const Parameter parameter{.name = "Attic", .title = "Attic", .type = ParameterType::kBool};
+  const Annotation annotation = annotated(HandleType::kBoolean, Orient::kUp, Slip::kScope);
+  PlacedHandle first;
+  REQUIRE(placePill({0, parameter, annotation, stage.scopes, 1, stage.none}, stage.context(), first));
+  stage.landed.add(first, stage.view);
+  pullIn(stage.padded, first.box, kLabelClearancePx);
+  PlacedHandle second;
+  REQUIRE(placePill({0, parameter, annotation, stage.scopes, 1, stage.none}, stage.context(), second));
+  CHECK_FALSE(second.box.grown(kLabelClearancePx - 0.01).overlaps(first.box));
+}
+
+TEST_CASE("an arc begins on the axis after its own and turns towards the next, about the scope's origin") {
+  const Arc arc = arcAt(annotated(HandleType::kAngular, Orient::kFront, Slip::kNone), boxAt({1, 2, 3}, {4, 5, 6}), 0.5, 0.1, 100);
+  CHECK(arc.center == Vec3(1, 2, 3));
+  CHECK(arc.from == Vec3(1, 0, 0));
+  CHECK(arc.axis == Vec3(0, 0, 1));
+  CHECK(arc.radiusM == Approx(kArcRadiusShare * 4));
+  const Vec3 end = arc.at(0.5) - arc.center;
+  CHECK(end.x == Approx(arc.radiusM * std::cos(0.5)));
+  CHECK(end.y == Approx(arc.radiusM * std::sin(0.5)));
+}
+
+TEST_CASE("an angular handle with slip none stays in its scope's frame, another moves outside") {
+  const FrontOfBox stage;
+  const Parameter parameter{.name = "Pitch", .title = "Pitch", .type = ParameterType::kAngle, .unit = Unit::kDegree, .max = 90};
+  PlacedHandle placed;
+  const Annotation still = annotated(HandleType::kAngular, Orient::kFront, Slip::kNone);
+  REQUIRE(placeArc({0, parameter, still, stage.scopes, 30, stage.none}, stage.context(), placed));
+  CHECK(placed.placement == PlacementKind::kInside);
+  REQUIRE(placed.arc);
+  CHECK(placed.arc->center == Vec3(-4, 0, -3));
+  CHECK(glm::length(placed.handles[0].screen - stage.view.toScreen(placed.arc->at(30 * 3.14159265358979 / 180))) < 1e-6);
+
+  const Annotation moving = annotated(HandleType::kAngular, Orient::kFront, Slip::kScope);
+  REQUIRE(placeArc({0, parameter, moving, stage.scopes, 30, stage.none}, stage.context(), placed));
+  CHECK(placed.placement == PlacementKind::kOutside);
+  CHECK(clears(stage.padded, Box2{placed.handles[0].screen, placed.handles[0].screen}));
+  CHECK(clears(stage.padded, placed.box));
+}
+
+TEST_CASE("an arc seen edge-on is not shown") {
+  const FrontOfBox stage;
+  const Parameter parameter{.name = "Pitch", .title = "Pitch", .type = ParameterType::kAngle, .unit = Unit::kDegree, .max = 90};
+  const Annotation edgeOn = annotated(HandleType::kAngular, Orient::kRight, Slip::kNone);
+  PlacedHandle placed;
+  CHECK_FALSE(placeArc({0, parameter, edgeOn, stage.scopes, 30, stage.none}, stage.context(), placed));
+}
