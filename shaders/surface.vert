@@ -10,6 +10,8 @@ out vec3 worldNormal;
 out vec2 surfaceUv;
 flat out vec4 surfaceMaterial;  // linear base colour, roughness
 
+invariant gl_Position;
+
 void main() {
   world = toWorld(position);
   // Normals go by the inverse transpose, which for a turn and a scale per axis divides by the squared scales.

@@ -1,8 +1,20 @@
 #include "render/renderer.h"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace dimline {
+
+namespace {
+
+/// Samples a pixel of the full picture. Four is what every OpenGL ES 3 driver has.
+constexpr int kSamples = 4;
+
+/// A reduced picture has at most so many pixels and is stretched to its framebuffer: lines stay sharp, and a software rasterizer keeps up.
+constexpr double kReducedPixels = 600e3;
+
+}  // namespace
 
 Result<std::unique_ptr<Renderer>> Renderer::make() {
   auto context = std::make_unique<GlContext>();
@@ -34,9 +46,12 @@ Status Renderer::draw(const View& view, std::span<const OverlayLine> lines, cons
                      options.quality, options.ground, options.theme};
   if (shown_ != wanted) {
     shown_.reset();
-    const int samples = options.quality == RenderQuality::kFull ? 4 : 1;
-    if (Status status = target_.resize(options.widthPx, options.heightPx, samples); !status) return status;
-    if (Status status = sceneRenderer_.draw(scene_, view, options.theme, options.quality, options.ground, target_, options.devicePixelRatio);
+    const bool full = options.quality == RenderQuality::kFull;
+    const double area = static_cast<double>(options.widthPx) * options.heightPx;
+    const double scale = full ? 1.0 : std::min(1.0, std::sqrt(kReducedPixels / area));
+    const auto scaled = [&](int px) { return std::max(1, static_cast<int>(std::lround(px * scale))); };
+    if (Status status = target_.resize(scaled(options.widthPx), scaled(options.heightPx), full ? kSamples : 1); !status) return status;
+    if (Status status = sceneRenderer_.draw(scene_, view, options.theme, options.quality, options.ground, target_, options.devicePixelRatio * scale);
         !status) {
       return status;
     }

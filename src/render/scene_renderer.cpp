@@ -44,12 +44,13 @@ SceneRenderer::SceneRenderer(const GlContext& context)
       sky_(context),
       edges_(context),
       background_(context, {.label = "background", .vertex = {shaders::fullscreen_vert}, .fragment = {shaders::frame_glsl, shaders::tone_glsl, shaders::background_frag}}),
+      depth_(context, {.label = "depth", .vertex = {shaders::instance_glsl, shaders::frame_glsl, shaders::depth_vert}, .fragment = {shaders::depth_frag}}),
       groundProgram_(context, {.label = "ground",
                                .vertex = {shaders::frame_glsl, shaders::ground_vert},
                                .fragment = {shaders::frame_glsl, shaders::tone_glsl, shaders::ground_frag}}) {}
 
 Status SceneRenderer::prepare() {
-  for (Program* program : {&background_, &groundProgram_}) {
+  for (Program* program : {&background_, &depth_, &groundProgram_}) {
     if (Status status = program->status(); !status) return status;
     program->bindBlock("Frame", kFrameBlockBinding);
   }
@@ -120,7 +121,7 @@ void SceneRenderer::fillFrameBlock(const GpuScene& scene, const View& view, cons
   const Vec3 toViewer = -view.directionTo({center.x, height, center.z});
   const double opacity = ground && !bounds.empty() ? std::clamp((toViewer.y - 0.005) / 0.06, 0.0, 1.0) : 0.0;
   frame_.groundFade = glm::vec4(static_cast<float>(opacity));
-  frame_.groundSquare = glm::vec4(sky_.groundSquare(), 0.0F);
+  frame_.groundSquare = sky_.groundSquare();
   frame_.skyOrigin = glm::vec4(sky_.volumeOrigin(), sky_.voxelM());
   frame_.skyScale = glm::vec4(sky_.volumeScale(), 0.0F);
   frame_.backgroundTop = theme.backgroundTop;
@@ -164,6 +165,13 @@ Status SceneRenderer::draw(const GpuScene& scene, const View& view, const Theme&
 
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LEQUAL);
+  if (quality == RenderQuality::kReduced) {
+    // On a software rasterizer shading costs more than drawing twice.
+    depth_.use();
+    glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    scene.drawPositions();
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  }
   for (std::size_t i = 0; i < scene.groups().size(); ++i) {
     const GpuScene::Group& group = scene.groups()[i];
     if (group.image >= 0) bind(kUnitImage, scene.imageTexture(group.image));

@@ -46,6 +46,15 @@ Vec3 skyDirection(std::size_t i, std::size_t count) {
   return {r * std::cos(angle), y, r * std::sin(angle)};
 }
 
+/// Whether the light of one box, stretched, can stand in for that of the other for a while. Nothing is like a box that is not there yet.
+bool alike(const Vec3& size, const Vec3& other) {
+  constexpr double kMostStretch = 1.5;
+  for (int axis = 0; axis < 3; ++axis) {
+    if (size[axis] > other[axis] * kMostStretch || other[axis] > size[axis] * kMostStretch) return false;
+  }
+  return other != Vec3(0.0);
+}
+
 glm::vec4 row(const Mat4& m, int i) { return glm::vec4(glm::dvec4(m[0][i], m[1][i], m[2][i], m[3][i])); }
 
 }  // namespace
@@ -98,15 +107,25 @@ Status SkyLight::prepare() {
 Status SkyLight::bake(const GpuScene& scene, const SunShadow& shadow, const Vec3& towardsSun, LightDetail detail) {
   const Bounds& bounds = scene.bounds();
   if (bounds.empty()) return okStatus();
-  drawAtlas(scene, detail);
+  const bool stretch = detail == LightDetail::kCoarse && alike(bounds.size(), skyOf_);
+  if (!stretch) {
+    drawAtlas(scene, detail);
+    skyOf_ = bounds.size();
+  }
   glDisable(GL_DEPTH_TEST);
   glDisable(GL_BLEND);
   glBindVertexArray(noVertices_.id());
-  glBindBuffer(GL_UNIFORM_BUFFER, mapsBuffer_.id());
-  glBufferData(GL_UNIFORM_BUFFER, sizeof(maps_), &maps_, GL_DYNAMIC_DRAW);
-  glBindBufferBase(GL_UNIFORM_BUFFER, kMapsBinding, mapsBuffer_.id());
-  Status status = bakeVolume(bounds, detail);
-  if (status) status = bakeGround(bounds, shadow, towardsSun, detail);
+  placeGround(bounds, towardsSun);
+  Status status = okStatus();
+  if (!stretch) {
+    glBindBuffer(GL_UNIFORM_BUFFER, mapsBuffer_.id());
+    glBufferData(GL_UNIFORM_BUFFER, sizeof(maps_), &maps_, GL_DYNAMIC_DRAW);
+    glBindBufferBase(GL_UNIFORM_BUFFER, kMapsBinding, mapsBuffer_.id());
+    status = bakeVolume(bounds, detail);
+    if (status) status = bakeGroundSky(detail);
+  }
+  placeVolume(bounds);
+  if (status) status = bakeGround(shadow, detail);
   glBindVertexArray(0);
   glActiveTexture(GL_TEXTURE0);
   return status;
@@ -157,8 +176,6 @@ Status SkyLight::bakeVolume(const Bounds& bounds, LightDetail detail) {
     glTexParameteri(GL_TEXTURE_3D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
   }
   const Vec3 first = bounds.center() - Vec3(points - 1) * (spacing * 0.5);
-  volumeOrigin_ = glm::vec3(first - spacing * 0.5);
-  volumeScale_ = 1.0F / (glm::vec3(points) * static_cast<float>(spacing));
   voxelM_ = static_cast<float>(spacing);
 
   Framebuffer framebuffer(*context_);
@@ -180,7 +197,15 @@ Status SkyLight::bakeVolume(const Bounds& bounds, LightDetail detail) {
   return okStatus();
 }
 
-Status SkyLight::bakeGround(const Bounds& bounds, const SunShadow& shadow, const Vec3& towardsSun, LightDetail detail) {
+void SkyLight::placeVolume(const Bounds& bounds) {
+  // The grid that was worked out for a box of size skyOf_, laid over this one.
+  const Vec3 grid = Vec3(volumeSize_) * static_cast<double>(voxelM_);
+  const Vec3 size = grid * glm::max(bounds.size(), Vec3(1e-9)) / glm::max(skyOf_, Vec3(1e-9));
+  volumeOrigin_ = glm::vec3(bounds.center() - size * 0.5);
+  volumeScale_ = glm::vec3(1.0 / size);
+}
+
+void SkyLight::placeGround(const Bounds& bounds, const Vec3& towardsSun) {
   // All the sun's shadow, and what the model hides of the sky for as far as one would notice.
   const double height = bounds.size().y;
   Bounds area;
@@ -191,40 +216,46 @@ Status SkyLight::bakeGround(const Bounds& bounds, const SunShadow& shadow, const
     area.add(corner - towardsSun * ((corner.y - bounds.min.y) / towardsSun.y));
   }
   const double half = std::max({area.size().x, area.size().z, 1e-6}) * 0.55;
-  groundSquare_ = glm::vec3(area.center().x, area.center().z, half);
-  const glm::vec4 square(groundSquare_, static_cast<float>(bounds.min.y));
+  groundSquare_ = glm::vec4(area.center().x, area.center().z, half, bounds.min.y);
+}
 
+Status SkyLight::bakeGroundSky(LightDetail detail) {
   const Fineness fine = fineness(detail);
-  if (groundSize_ != fine.ground) {
+  if (groundSkySize_ != fine.groundSky) {
     groundSky_ = makeTexture2D(*context_, GL_R8, fine.groundSky, fine.groundSky, Sampling::kLinear, kGroundSkyLevels);
-    ground_ = makeTexture2D(*context_, GL_RG8, fine.ground, fine.ground, Sampling::kLinear);
-    groundSize_ = fine.ground;
+    groundSkySize_ = fine.groundSky;
   }
   Result<Framebuffer> sky = makeFramebuffer(*context_, "sky on the ground", groundSky_.id(), 0);
   if (!sky) return sky.error();
   glViewport(0, 0, fine.groundSky, fine.groundSky);
   groundSkyProgram_.use();
-  glUniform4fv(groundSkySquare_, 1, glm::value_ptr(square));
+  glUniform4fv(groundSkySquare_, 1, glm::value_ptr(groundSquare_));
   glActiveTexture(GL_TEXTURE0);
   glBindTexture(GL_TEXTURE_2D, atlas_.id());
   glDrawArrays(GL_TRIANGLES, 0, 3);
 
-  glActiveTexture(GL_TEXTURE2);
   glBindTexture(GL_TEXTURE_2D, groundSky_.id());
   glGenerateMipmap(GL_TEXTURE_2D);
-  glActiveTexture(GL_TEXTURE0);
+  return okStatus();
+}
 
+Status SkyLight::bakeGround(const SunShadow& shadow, LightDetail detail) {
+  const Fineness fine = fineness(detail);
+  if (groundSize_ != fine.ground) {
+    ground_ = makeTexture2D(*context_, GL_RG8, fine.ground, fine.ground, Sampling::kLinear);
+    groundSize_ = fine.ground;
+  }
   Result<Framebuffer> ground = makeFramebuffer(*context_, "light on the ground", ground_.id(), 0);
   if (!ground) return ground.error();
   glViewport(0, 0, fine.ground, fine.ground);
   groundProgram_.use();
-  glUniform4fv(groundSquareUniform_, 1, glm::value_ptr(square));
+  glUniform4fv(groundSquareUniform_, 1, glm::value_ptr(groundSquare_));
   const glm::mat4 toShadow(shadow.view().worldToUnit);
   glUniformMatrix4fv(groundToShadow_, 1, GL_FALSE, glm::value_ptr(toShadow));
   const LightView& sun = shadow.view();
   glUniform3f(groundSun_, static_cast<float>(kSunRadius * sun.unitsPerM.x), static_cast<float>(kSunRadius * sun.unitsPerM.y),
               static_cast<float>(sun.depthRangeM));
-  const double texelM = 2.0 * half / fine.ground;
+  const double texelM = 2.0 * static_cast<double>(groundSquare_.z) / fine.ground;
   glUniform2f(groundSharpest_, static_cast<float>(0.7 * texelM * sun.unitsPerM.x), static_cast<float>(0.7 * texelM * sun.unitsPerM.y));
   glActiveTexture(GL_TEXTURE1);
   glBindTexture(GL_TEXTURE_2D, shadow.texture());

@@ -14,7 +14,8 @@
 
 namespace dimline {
 
-/// How finely light that depends only on the model is worked out.
+/// How finely light that depends only on the model is worked out. Coarse is for models that change from frame to frame on slow machines: sky light is
+/// then taken over from the model before, stretched to the new one's box, unless the two are too different.
 enum class LightDetail : std::uint8_t { kCoarse, kFine };
 
 /// Light that comes in from all around, worked out when the model changes and only looked up in a frame. The model is seen from directions spread
@@ -37,9 +38,9 @@ class SkyLight {
   [[nodiscard]] const glm::vec3& volumeScale() const { return volumeScale_; }
   [[nodiscard]] float voxelM() const { return voxelM_; }
 
-  /// RG8: shares of sun and sky that the ground sees, in a square of the ground about (x, z) of that half size (m).
+  /// RG8: shares of sun and sky that the ground sees, in a square of the ground about (x, z) of that half size (m), at that height.
   [[nodiscard]] GLuint groundTexture() const { return ground_.id(); }
-  [[nodiscard]] const glm::vec3& groundSquare() const { return groundSquare_; }
+  [[nodiscard]] const glm::vec4& groundSquare() const { return groundSquare_; }
 
  private:
   static constexpr std::size_t kMostDirections = 32;
@@ -53,7 +54,10 @@ class SkyLight {
 
   void drawAtlas(const GpuScene& scene, LightDetail detail);
   Status bakeVolume(const Bounds& bounds, LightDetail detail);
-  Status bakeGround(const Bounds& bounds, const SunShadow& shadow, const Vec3& towardsSun, LightDetail detail);
+  Status bakeGroundSky(LightDetail detail);
+  Status bakeGround(const SunShadow& shadow, LightDetail detail);
+  void placeVolume(const Bounds& bounds);
+  void placeGround(const Bounds& bounds, const Vec3& towardsSun);
 
   const GlContext* context_;
   Program depthProgram_, volumeProgram_, groundSkyProgram_, groundProgram_;
@@ -67,8 +71,10 @@ class SkyLight {
   Maps maps_;
   Texture volume_, groundSky_, ground_;
   glm::ivec3 volumeSize_{0};
-  int groundSize_ = 0;
-  glm::vec3 volumeOrigin_{0.0F}, volumeScale_{1.0F}, groundSquare_{0.0F, 0.0F, 1.0F};
+  int groundSkySize_ = 0, groundSize_ = 0;
+  glm::vec3 volumeOrigin_{0.0F}, volumeScale_{1.0F};
+  glm::vec4 groundSquare_{0.0F, 0.0F, 1.0F, 0.0F};   ///< and its height
+  Vec3 skyOf_{0.0};   ///< size of the box that atlas, volume and the ground's sky were worked out for
   float voxelM_ = 1.0F;
 };
 
