@@ -5,6 +5,8 @@
 #include <ostream>
 #include <vector>
 
+#include "cli/audit_command.h"
+#include "cli/bench_command.h"
 #include "cli/layout_command.h"
 #include "cli/models_command.h"
 #include "core/text.h"
@@ -14,7 +16,7 @@ namespace dimline {
 
 namespace {
 
-const std::array kCommands = {modelsCommand(), layoutCommand()};
+const std::array kCommands = {modelsCommand(), layoutCommand(), auditCommand(), benchCommand()};
 
 void printHelp(std::ostream& out) {
   out << "dimline: dimension lines for parametric 3D models.\n\n"

@@ -1,0 +1,160 @@
+#include "cli/audit_command.h"
+
+#include <ostream>
+
+#include "cli/arguments.h"
+#include "cli/audit_report.h"
+#include "cli/load_model.h"
+#include "core/text.h"
+#include "models/models.h"
+
+namespace dimline {
+
+namespace {
+
+constexpr std::string_view kHelp =
+    "Usage: dimline audit MODEL|all [options]\n\n"
+    "Places a model's dimension lines along three orbits (elevation 10, 30 and 60 degrees) and measures how well they\n"
+    "keep the principles of dimensioning: from the pixels that the model covers and the layouts alone. Beside each\n"
+    "figure stands what lines that stay fixed in the world come to, and the aim.\n\n"
+    "  --set NAME=VALUE  a parameter's value, in its own unit; repeatable\n"
+    "  --size WxH        the orbits' viewport in pixels, 1000x1000 unless told\n"
+    "  --step DEG        the orbits' step, 1 unless told; the rows that compare frames mean 1\n"
+    "  --every N         holds one of N frames against its pixels; all are placed and compared. Unless told, each\n"
+    "                    in the orbits, one of 15 at extremes, one of 12 in flights\n"
+    "  --extremes        also the orbits at each parameter's least and greatest value\n"
+    "  --flights N       also N random flights: round the model, into it and back; all kinds of lens and viewport\n"
+    "  --worst K         lists the K gravest cases under each row that misses its aim\n"
+    "  --json            an array of objects in place of the tables\n";
+
+constexpr OptionRule kRules[] = {{"--set", OptionRule::Kind::kRepeatable, "NAME=VALUE"},
+                                 {"--size", OptionRule::Kind::kValue, "WxH"},
+                                 {"--step", OptionRule::Kind::kValue, "DEG"},
+                                 {"--every", OptionRule::Kind::kValue, "N"},
+                                 {"--extremes", OptionRule::Kind::kFlag, {}},
+                                 {"--flights", OptionRule::Kind::kValue, "N"},
+                                 {"--worst", OptionRule::Kind::kValue, "K"},
+                                 {"--json", OptionRule::Kind::kFlag, {}}};
+
+struct AuditOptions {
+  std::string_view model;
+  std::vector<std::string_view> assignments;
+  AuditPlan plan;
+  std::size_t worst = 0;
+  bool json = false;
+};
+
+/// A whole number in a range, when the option is there.
+Status readCount(const Arguments& arguments, std::string_view option, int least, int most, std::optional<int>& count) {
+  const auto text = arguments.value(option);
+  if (!text) return okStatus();
+  const auto number = parseDouble(trim(*text));
+  if (!number || *number < least || *number > most || *number != static_cast<int>(*number)) {
+    return Error{std::string(option) + " takes a whole number from " + std::to_string(least) + " to " +
+                 std::to_string(most) + ", not " + inQuotes(*text) + "."};
+  }
+  count = static_cast<int>(*number);
+  return okStatus();
+}
+
+Status readSize(std::string_view text, AuditPlan& plan) {
+  constexpr double kMostPx = 8192;
+  const std::size_t by = text.find_first_of("xX");
+  const auto width = parseDouble(text.substr(0, by));
+  const auto height = by == std::string_view::npos ? std::nullopt : parseDouble(text.substr(by + 1));
+  const auto good = [](const std::optional<double>& side) {
+    return side && *side >= 1 && *side <= kMostPx && *side == static_cast<int>(*side);
+  };
+  if (!good(width) || !good(height)) {
+    return Error{"--size takes width and height in pixels, each from 1 to 8192, such as 1000x800, not " +
+                 inQuotes(text) + "."};
+  }
+  plan.widthPx = static_cast<int>(*width);
+  plan.heightPx = static_cast<int>(*height);
+  return okStatus();
+}
+
+Result<AuditOptions> parseOptions(std::span<const std::string_view> list) {
+  const auto arguments = Arguments::parse(list, kRules);
+  if (!arguments) return arguments.error();
+  if (arguments->positional().size() != 1) return Error{"Name one model, or all."};
+  AuditOptions options;
+  options.model = arguments->positional()[0];
+  options.json = arguments->has("--json");
+  options.plan.extremes = arguments->has("--extremes");
+  for (const std::string_view assignment : arguments->values("--set")) options.assignments.push_back(assignment);
+  if (const auto size = arguments->value("--size")) {
+    if (Status status = readSize(*size, options.plan); !status) return status.error();
+  }
+  if (const auto step = arguments->value("--step")) {
+    const auto degrees = parseDouble(trim(*step));
+    if (!degrees || !(*degrees >= 0.05 && *degrees <= 90))
+      return Error{"--step takes degrees from 0.05 to 90, not " + inQuotes(*step) + "."};
+    options.plan.stepDeg = *degrees;
+  }
+  std::optional<int> flights;
+  std::optional<int> worst;
+  if (Status status = readCount(*arguments, "--every", 1, 1000, options.plan.every); !status) return status.error();
+  if (Status status = readCount(*arguments, "--flights", 0, 10000, flights); !status) return status.error();
+  if (Status status = readCount(*arguments, "--worst", 0, 1000, worst); !status) return status.error();
+  options.plan.flights = flights.value_or(0);
+  options.worst = static_cast<std::size_t>(worst.value_or(0));
+  return options;
+}
+
+Result<Values> valuesFor(const Model& model, const std::vector<std::string_view>& assignments) {
+  Values values(model.parameters());
+  for (const std::string_view assignment : assignments) {
+    const std::size_t equals = assignment.find('=');
+    if (equals == std::string_view::npos)
+      return Error{"--set takes NAME=VALUE, such as Width=9.5, not " + inQuotes(assignment) + "."};
+    const auto index = findParameter(model.parameters(), trim(assignment.substr(0, equals)));
+    if (!index) return Error{"The model has no parameter " + inQuotes(assignment.substr(0, equals)) + "."};
+    const auto value = parseValue(model.parameters()[*index], assignment.substr(equals + 1));
+    if (!value) return value.error();
+    values.set(*index, *value);
+  }
+  return values;
+}
+
+Outcome auditOne(std::string_view name, const AuditOptions& options, JsonWriter& json, const Streams& streams) {
+  const auto model = loadModel(name, streams.err);
+  if (!model) return badInput(model.error());
+  const auto values = valuesFor(*model, options.assignments);
+  if (!values) return badInput(values.error());
+  const std::vector<AuditPart> parts = auditModel(*model, *values, options.plan, streams.err);
+  if (options.json) {
+    writeAudit(json, *model, parts, options.worst);
+  } else {
+    for (const AuditPart& part : parts) {
+      printAudit(*model, part, options.worst, streams.out);
+      streams.out << "\n" << std::flush;
+    }
+  }
+  return std::nullopt;
+}
+
+Outcome run(std::span<const std::string_view> list, const Streams& streams) {
+  const auto options = parseOptions(list);
+  if (!options) return badArguments(options.error().message);
+  std::vector<std::string_view> names{options->model};
+  if (options->model == "all") {
+    if (!options->assignments.empty()) return badArguments("--set is for one model at a time.");
+    names.clear();
+    for (const BuiltInModel& model : builtInModels()) names.push_back(model.name);
+  }
+  JsonWriter json;
+  json.beginArray();
+  for (const std::string_view name : names) {
+    if (Outcome outcome = auditOne(name, *options, json, streams)) return outcome;
+  }
+  json.endArray();
+  if (options->json) streams.out << json.text() << "\n";
+  return std::nullopt;
+}
+
+}  // namespace
+
+Command auditCommand() { return {"audit", "how well the principles of dimensioning are kept, measured", kHelp, run}; }
+
+}  // namespace dimline

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <iosfwd>
+#include <optional>
+#include <string>
+
+#include "cli/audit_flight.h"
+#include "cli/audit_rows.h"
+#include "model/model.h"
+
+namespace dimline {
+
+/// What an audit looks at.
+struct AuditPlan {
+  double stepDeg = 1;  ///< of the orbits; the rows that compare frames mean one degree
+  int widthPx = 1000;  ///< of the orbits
+  int heightPx = 1000;
+  bool extremes = false;  ///< also the orbits at each parameter's least and greatest value, and at each choice
+  int flights = 0;        ///< also so many random flights
+  /// Every frame is placed and compared with the one before; of so many frames one is held against its pixels. Unless
+  /// told: each of the orbits at the given values, one of 15 at the extremes, one of 12 in flights.
+  std::optional<int> every;
+};
+
+/// One table: what was found over some flights.
+struct AuditPart {
+  std::string title;  ///< "orbits", "extremes", "flights"
+  std::size_t flights = 0;
+  std::size_t frames = 0;
+  std::size_t framesMeasured = 0;  ///< held against their pixels
+  double seconds = 0;
+  AuditTally placed;
+  AuditTally frozen;  ///< the first frame's lines of each flight, fixed in the world
+};
+
+/// Places a model along many ways round it and measures DESIGN.md section 8's first table. Uses all processors; the
+/// same plan gives the same result however many there are. Tells of its progress on `progress`.
+std::vector<AuditPart> auditModel(const Model& model, const Values& values, const AuditPlan& plan,
+                                  std::ostream& progress);
+
+}  // namespace dimline

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "cli/audit_depth.h"
+#include "cli/audit_pixels.h"
+#include "model/model.h"
+#include "placement/layout.h"
+
+// Slow searches for what the placer should have found: lines are moved in small steps over their planes, projected, and
+// held against the mask's pixels and what else is drawn. Base lines and planes are worked out anew here, for the linear
+// types.
+namespace dimline {
+
+/// One frame as the audit sees it. The scene is the layout's; the pictures are of its view.
+struct AuditedFrame {
+  const Model* model = nullptr;
+  const Scene* scene = nullptr;
+  const Layout* layout = nullptr;
+  MaskPicture* mask = nullptr;
+  const DepthPicture* depth = nullptr;  ///< may be null when every annotated parameter is shown
+};
+
+/// A scope's base lines of the linear types: four edges along the axis, or the middle. None for other types.
+std::vector<Segment> linearBaseLines(const Annotation& annotation, const Obb& scope);
+
+/// How many times as far as need be the line of that number in the layout lies from its base line (AuditRow::kOffset);
+/// nothing for lines that row leaves out. 1 when no lesser offset will do.
+std::optional<double> offsetRatio(const AuditedFrame& frame, std::size_t line);
+
+/// A place for a line outside.
+struct OutsidePlace {
+  Segment2 screen;
+  bool seesAnEdge = false;  ///< all of it is visible straight from one edge of the viewport
+};
+/// A place where the line of that number, which lies inside, could be outside (AuditRow::kNeedlesslyInside).
+std::optional<OutsidePlace> outsidePlace(const AuditedFrame& frame, std::size_t line);
+
+/// The scope of a parameter that is in plain view (AuditRow::kUnshown): its index in the scene. `frame.depth` must be
+/// there.
+std::optional<std::size_t> scopeInPlainView(const AuditedFrame& frame, std::size_t parameter);
+
+}  // namespace dimline

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <iosfwd>
+#include <vector>
+
+#include "app/json_writer.h"
+#include "cli/bench_measure.h"
+
+namespace dimline {
+
+/// The models' times as a table; under a model that the paper has too, the paper's own figures (its table 1), as
+/// measured there and then.
+void printBench(const std::vector<BenchResult>& results, std::ostream& out);
+
+/// How placer and fields grow: with the number of triangles (10^3 to 10^6, the same few lines), and with the number of
+/// base lines (10 to 10^5, the same few triangles), chained and not. Measures as it prints.
+void printGrowth(std::ostream& out);
+
+/// The objects of DESIGN.md section 6, one a model.
+void writeBench(JsonWriter& json, const std::vector<BenchResult>& results);
+
+}  // namespace dimline

@@ -1,0 +1,130 @@
+#include "cli/bench_straightforward.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "placement/chains.h"
+
+namespace dimline {
+
+namespace {
+
+/// A corner of a triangle as a slide sees it, in homogeneous coordinates: along the line u / w, across it t / w, before
+/// the viewer where `front` > 0.
+struct Seen {
+  double u, t, w, front;
+};
+
+Seen mix(const Seen& a, const Seen& b, double share) {
+  const auto at = [&](double from, double to) { return from + (to - from) * share; };
+  return {at(a.u, b.u), at(a.t, b.t), at(a.w, b.w), at(a.front, b.front)};
+}
+
+/// The corners of a convex polygon on the side where inside(corner) >= 0.
+template <typename Inside>
+std::size_t clip(std::array<Seen, 8>& corners, std::size_t count, Inside inside) {
+  std::array<Seen, 8> kept;
+  std::size_t keptCount = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const Seen& a = corners[i];
+    const Seen& b = corners[(i + 1) % count];
+    const double atA = inside(a);
+    const double atB = inside(b);
+    if (atA >= 0) kept[keptCount++] = a;
+    if ((atA >= 0) != (atB >= 0)) kept[keptCount++] = mix(a, b, atA / (atA - atB));
+  }
+  corners = kept;
+  return keptCount;
+}
+
+/// The largest offset that a triangle needs.
+double offsetPast(std::array<Seen, 8>& corners) {
+  constexpr double kHorizon = 1e-9;
+  std::size_t count = clip(corners, 3, [](const Seen& c) { return c.front; });
+  count = clip(corners, count, [](const Seen& c) { return c.u; });
+  count = clip(corners, count, [](const Seen& c) { return c.w - c.u; });
+  double most = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (corners[i].w > kHorizon) {
+      most = std::max(most, corners[i].t / corners[i].w);
+    } else if (corners[i].t > 0) {
+      return std::numeric_limits<double>::infinity();
+    }
+  }
+  return most;
+}
+
+}  // namespace
+
+Straightforward::Straightforward(const Model& model, const Scene& scene) {
+  for (const Instance& instance : scene.instances) {
+    const Mesh& mesh = scene.meshes[instance.mesh];
+    const Mat4 toWorld(instance.transform);
+    const auto first = static_cast<std::uint32_t>(corners_.size());
+    for (const glm::vec3& p : mesh.positions) corners_.emplace_back(toWorld * Vec4(Vec3(p), 1.0));
+    for (const auto& t : mesh.triangles) triangles_.push_back({first + t[0], first + t[1], first + t[2]});
+  }
+  for (const auto& annotation : model.annotations) {
+    if (!annotation || !isLine(annotation->type)) continue;
+    Measured& parameter = parameters_.emplace_back();
+    parameter.annotation = *annotation;
+    std::vector<std::size_t> measured;
+    for (std::size_t i = 0; i < scene.scopes.size(); ++i) {
+      if (scene.scopes[i].name != annotation->scope) continue;
+      measured.push_back(i);
+      parameter.scopes.push_back(scene.scopes[i].box);
+    }
+    if (!annotation->chained) continue;
+    for (const Cluster& cluster : clusterBaseLines(*annotation, scene.scopes, measured, scene.bounds.diagonal())) {
+      for (const int side : {0, 1}) parameter.chains.push_back(chainBaseLine(cluster, side));
+    }
+  }
+}
+
+double Straightforward::leastOffsetM(const Slide& slide, const View& view) const {
+  double most = 0;
+  for (const auto& triangle : triangles_) {
+    std::array<Seen, 8> corners;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Vec3& p = corners_[triangle[i]];
+      const Vec3 h = view.worldToPixels() * Vec4(p, 1.0);
+      corners[i] = {glm::dot(slide.uForm(), h), glm::dot(slide.tForm(), h), glm::dot(slide.wForm(), h),
+                    view.depth(p) - view.nearM()};
+    }
+    most = std::max(most, offsetPast(corners));
+  }
+  return most;
+}
+
+void Straightforward::placeLine(const BaseLine& line, Slip slip, bool chain, const View& view, Frame& frame) {
+  if (!view.inFrontOfNear(line.segment.start) || !view.inFrontOfNear(line.segment.end)) return;
+  slipPlanes(line, slip, view, {}, planes_);
+  for (const SlipPlane& plane : planes_) {
+    for (const double direction : {1.0, -1.0}) {
+      if (direction < 0 && chain && plane.kind != PlaneKind::kBillboard)
+        continue;  // a chain slips away from its members only
+      const auto slide = Slide::make(view, line.segment, plane.across * direction);
+      if (!slide) continue;
+      ++frame.candidates;
+      const double offsetM = leastOffsetM(*slide, view);
+      if (std::isfinite(offsetM)) frame.sumM += offsetM;
+    }
+  }
+}
+
+Straightforward::Frame Straightforward::place(const View& view) {
+  Frame frame;
+  for (const Measured& parameter : parameters_) {
+    const Slip slip = parameter.annotation.slip;
+    for (const BaseLine& line : parameter.chains) placeLine(line, slip, true, view, frame);
+    if (!parameter.chains.empty()) continue;
+    for (const Obb& scope : parameter.scopes) {
+      for (const BaseLine& line : baseLines(parameter.annotation, scope, view))
+        placeLine(line, slip, false, view, frame);
+    }
+  }
+  return frame;
+}
+
+}  // namespace dimline
