@@ -40,9 +40,10 @@ class DistanceField {
   /// Three more floats after the last may be read (kNoSilhouette), so that a loop can take four at a time.
   [[nodiscard]] std::span<const float> values() const { return {values_.data(), size_}; }
 
-  /// Writable values; the tree is stale until buildTree().
+  /// Writable values; the tree is stale until buildTree(), or mendTree() when only the strips [first, last] were written.
   [[nodiscard]] std::span<float> edit() { return {values_.data(), size_}; }
   void buildTree();
+  void mendTree(std::size_t first, std::size_t last);
 
   /// Pulls the strips [first, last] in to at most value(i), where `value` gives a strip's distance, and mends the tree above them.
   template <typename ValueOfStrip>
@@ -65,8 +66,6 @@ class DistanceField {
   [[nodiscard]] const Range& node(std::size_t index) const { return tree_[index]; }
 
  private:
-  void mendTree(std::size_t first, std::size_t last);
-
   std::size_t size_ = 0;
   std::size_t leafCount_ = 0;
   std::vector<float> values_;

@@ -31,109 +31,150 @@ struct Interval {
   double high;
 };
 
-/// A convex shape in the frame of the rows or of the columns: all points within `radius` of a segment. `across` runs as x does for rows, and
-/// as y does for columns.
-class Capsule {
- public:
-  struct Point {
-    double along;
-    double across;
+/// A piece of a shape's boundary over a stretch of the places along an edge: across = start + slope (along - from).
+struct Line {
+  double from, to;
+  double start;
+  double slope;
+
+  [[nodiscard]] double at(double along) const { return start + slope * (along - from); }
+};
+
+/// One of the two boundaries, the low or the high one, of a convex shape that is a disc rolled along a segment or around a box: an arc around `first`, a
+/// straight piece, an arc around `last`. `sign` is -1 for the low one, +1 for the high one. `peak`: where the boundary is outermost.
+struct Boundary {
+  double sign;
+  double radius;
+  double firstAlong, firstAcross;
+  double lastAlong, lastAcross;
+  Line straight;
+  Interval peak;
+
+  [[nodiscard]] double at(double along) const {
+    if (along >= straight.from && along <= straight.to) return straight.at(along);
+    const bool early = along < straight.from;
+    const double off = along - (early ? firstAlong : lastAlong);
+    return (early ? firstAcross : lastAcross) + sign * std::sqrt(std::max(0.0, radius * radius - off * off));
+  }
+
+  /// The outermost place over the strip [strip, strip + 1].
+  [[nodiscard]] double over(double strip) const {
+    const double place = std::clamp(std::clamp(strip, peak.low, peak.high), strip, strip + 1);
+    return at(std::clamp(place, firstAlong - radius, lastAlong + radius));
+  }
+};
+
+/// A shape in the frame of the rows or of the columns; `across` runs as x does for rows, and as y does for columns.
+struct Shape {
+  Boundary low;
+  Boundary high;
+
+  [[nodiscard]] double firstAlong() const { return low.firstAlong - low.radius; }
+  [[nodiscard]] double lastAlong() const { return low.lastAlong + low.radius; }
+};
+
+struct Place {
+  double along;
+  double across;
+};
+
+/// All points within `radius` of a segment.
+Shape capsule(Place a, Place b, double radius) {
+  if (a.along > b.along) std::swap(a, b);
+  const double run = b.along - a.along;
+  const double rise = b.across - a.across;
+  const double length = std::hypot(run, rise);
+  // The straight sides are the segment moved by the radius at right angles to it; where it runs straight across, they have no length.
+  const double sideAlong = length > 0 ? -rise / length * radius : 0.0;
+  const double sideAcross = length > 0 ? run / length * radius : radius;
+  const auto boundary = [&](double sign) {
+    const Line straight{a.along + sign * sideAlong, b.along + sign * sideAlong, a.across + sign * sideAcross, run > 0 ? rise / run : 0.0};
+    const bool aIsOuter = sign * a.across >= sign * b.across;
+    const bool bIsOuter = sign * b.across >= sign * a.across;
+    return Boundary{sign, radius, a.along, a.across, b.along, b.across, straight, {aIsOuter ? a.along : b.along, bIsOuter ? b.along : a.along}};
   };
-
-  Capsule(Point a, Point b, double radius) : a_(a), b_(b), radius_(radius) {
-    if (a_.along > b_.along) std::swap(a_, b_);
-    const double run = b_.along - a_.along;
-    const double rise = b_.across - a_.across;
-    const double length = std::hypot(run, rise);
-    // The two straight sides are the segment moved by the radius at right angles to it; a_ is never after b_ along.
-    sideAlong_ = length > 0 ? -rise / length * radius : 0.0;
-    sideAcross_ = length > 0 ? run / length * radius : radius;
-    slope_ = run > 0 ? rise / run : 0.0;
-  }
-
-  [[nodiscard]] double firstAlong() const { return a_.along - radius_; }
-  [[nodiscard]] double lastAlong() const { return b_.along + radius_; }
-
-  /// The least and greatest `across` over the strip [from, from + 1], of which the shape meets a part.
-  [[nodiscard]] Interval over(double from) const {
-    const Point& lowEnd = a_.across <= b_.across ? a_ : b_;
-    const Point& highEnd = a_.across <= b_.across ? b_ : a_;
-    const bool level = a_.across == b_.across;
-    return {boundary(nearest(from, level ? a_.along : lowEnd.along, level ? b_.along : lowEnd.along), -1.0),
-            boundary(nearest(from, level ? a_.along : highEnd.along, level ? b_.along : highEnd.along), +1.0)};
-  }
-
- private:
-  /// The place in the strip, and in the shape, nearest to the stretch where the shape has its extreme.
-  [[nodiscard]] double nearest(double from, double stretchFirst, double stretchLast) const {
-    const double place = std::clamp(std::clamp(from, stretchFirst, stretchLast), from, from + 1);
-    return std::clamp(place, firstAlong(), lastAlong());
-  }
-
-  /// The shape's lower (sign -1) or upper (+1) boundary at a place along.
-  [[nodiscard]] double boundary(double along, double sign) const {
-    double reach = -std::numeric_limits<double>::infinity();
-    for (const Point& end : {a_, b_}) {
-      const double off = along - end.along;
-      const double squared = radius_ * radius_ - off * off;
-      // A place at the very end of the shape is up to rounding one radius off.
-      if (squared >= -1e-9 * radius_ * radius_) reach = std::max(reach, sign * end.across + std::sqrt(std::max(0.0, squared)));
-    }
-    const double sideFirst = a_.along + sign * sideAlong_;
-    if (along >= sideFirst && along <= b_.along + sign * sideAlong_) {
-      reach = std::max(reach, sign * (a_.across + sign * sideAcross_ + (along - sideFirst) * slope_));
-    }
-    return sign * reach;
-  }
-
-  Point a_;
-  Point b_;
-  double radius_;
-  double sideAlong_ = 0;
-  double sideAcross_ = 0;
-  double slope_ = 0;
-};
-
-/// The same for all points within `radius` of a box.
-class RoundedBox {
- public:
-  RoundedBox(Interval along, Interval across, double radius) : along_(along), across_(across), radius_(radius) {}
-
-  [[nodiscard]] double firstAlong() const { return along_.low - radius_; }
-  [[nodiscard]] double lastAlong() const { return along_.high + radius_; }
-
-  [[nodiscard]] Interval over(double from) const {
-    const double gap = std::max({0.0, along_.low - (from + 1), from - along_.high});
-    const double reach = std::sqrt(std::max(0.0, radius_ * radius_ - gap * gap));
-    return {across_.low - reach, across_.high + reach};
-  }
-
- private:
-  Interval along_;
-  Interval across_;
-  double radius_;
-};
-
-/// Pulls in the field at the low end of `across` and the one at its high end by a shape.
-template <typename Shape>
-void pullInPair(DistanceField& lowField, DistanceField& highField, double extentPx, const Shape& shape) {
-  const double strips = static_cast<double>(lowField.size());
-  if (!(shape.lastAlong() >= 0 && shape.firstAlong() <= strips)) return;
-  const double first = std::clamp(std::floor(shape.firstAlong()), 0.0, strips - 1);
-  const double last = std::clamp(std::ceil(shape.lastAlong()) - 1, first, strips - 1);
-  // The shape is connected over a strip, so it is seen there when its interval meets [0, extent].
-  const auto seen = [&](const Interval& across) { return across.high >= 0 && across.low <= extentPx; };
-  const auto firstStrip = static_cast<std::size_t>(first);
-  const auto lastStrip = static_cast<std::size_t>(last);
-  lowField.pullIn(firstStrip, lastStrip, [&](std::size_t strip) {
-    const Interval across = shape.over(static_cast<double>(strip));
-    return seen(across) ? std::max(0.0, across.low) : static_cast<double>(kNoSilhouette);
-  });
-  highField.pullIn(firstStrip, lastStrip, [&](std::size_t strip) {
-    const Interval across = shape.over(static_cast<double>(strip));
-    return seen(across) ? std::max(0.0, extentPx - across.high) : static_cast<double>(kNoSilhouette);
-  });
+  return {boundary(-1), boundary(+1)};
 }
+
+/// All points within `radius` of a box.
+Shape roundedBox(const Interval& along, const Interval& across, double radius) {
+  const auto boundary = [&](double sign, double side) {
+    return Boundary{sign, radius, along.low, side, along.high, side, {along.low, along.high, side + sign * radius, 0.0}, along};
+  };
+  return {boundary(-1, across.low), boundary(+1, across.high)};
+}
+
+/// Pulls in the field at the low end of `across` and the one at its high end.
+class PairEdit {
+ public:
+  PairEdit(DistanceField& lowField, DistanceField& highField, double extentPx) : lowField_(lowField), highField_(highField), extentPx_(extentPx) {}
+
+  void apply(const Shape& shape) {
+    const double strips = static_cast<double>(lowField_.size());
+    if (!(shape.lastAlong() >= 0 && shape.firstAlong() <= strips)) return;
+    const double first = std::clamp(std::floor(shape.firstAlong()), 0.0, strips - 1);
+    const double last = std::clamp(std::ceil(shape.lastAlong()) - 1, first, strips - 1);
+    std::size_t strip = static_cast<std::size_t>(first);
+    const auto end = static_cast<std::size_t>(last) + 1;
+    // Where both boundaries are straight and inside the viewport over a run of strips, four are done at a time.
+    const Interval plain = plainStrips(shape);
+    const auto plainFirst = static_cast<std::size_t>(std::clamp(std::ceil(plain.low), first, last + 1));
+    const auto plainEnd = static_cast<std::size_t>(std::clamp(std::floor(plain.high), static_cast<double>(plainFirst), last + 1));
+    for (; strip < plainFirst; ++strip) one(shape, strip);
+    for (; strip + 4 <= plainEnd; strip += 4) four(shape, strip);
+    for (; strip < end; ++strip) one(shape, strip);
+    lowField_.mendTree(static_cast<std::size_t>(first), end - 1);
+    highField_.mendTree(static_cast<std::size_t>(first), end - 1);
+  }
+
+ private:
+  /// The places along between which both boundaries are straight and the shape is inside the viewport across.
+  [[nodiscard]] Interval plainStrips(const Shape& shape) const {
+    Interval plain{std::max(shape.low.straight.from, shape.high.straight.from), std::min(shape.low.straight.to, shape.high.straight.to)};
+    const auto keepAbove = [&](const Line& line, double bound, double sign) {   // where sign (line - bound) >= 0
+      const double atFrom = sign * (line.start - bound);
+      const double slope = sign * line.slope;
+      if (slope > 0) {
+        plain.low = std::max(plain.low, line.from - atFrom / slope);
+      } else if (slope < 0) {
+        plain.high = std::min(plain.high, line.from - atFrom / slope);
+      } else if (atFrom < 0) {
+        plain.high = plain.low;
+      }
+    };
+    keepAbove(shape.low.straight, 0, +1);
+    keepAbove(shape.high.straight, extentPx_, -1);
+    return plain;
+  }
+
+  void one(const Shape& shape, std::size_t strip) {
+    const double low = shape.low.over(static_cast<double>(strip));
+    const double high = shape.high.over(static_cast<double>(strip));
+    // The shape is connected over a strip, so it is seen there when its interval meets [0, extent].
+    if (high < 0 || low > extentPx_) return;
+    float& lowValue = lowField_.edit()[strip];
+    float& highValue = highField_.edit()[strip];
+    lowValue = std::min(lowValue, static_cast<float>(std::max(0.0, low)));
+    highValue = std::min(highValue, static_cast<float>(std::max(0.0, extentPx_ - high)));
+  }
+
+  void four(const Shape& shape, std::size_t strip) {
+    const auto values = [&](const Line& line, double sign) {
+      // A straight piece is outermost over a strip at the strip's one end or the other.
+      const double at = line.at(static_cast<double>(strip) + (sign * line.slope > 0 ? 1.0 : 0.0));
+      return splat4(static_cast<float>(at)) + kLanes * static_cast<float>(line.slope);
+    };
+    float* low = lowField_.edit().data() + strip;
+    float* high = highField_.edit().data() + strip;
+    const Float4 zero = splat4(0.0F);
+    store4(low, min4(load4(low), max4(values(shape.low.straight, -1), zero)));
+    store4(high, min4(load4(high), max4(static_cast<float>(extentPx_) - values(shape.high.straight, +1), zero)));
+  }
+
+  DistanceField& lowField_;
+  DistanceField& highField_;
+  double extentPx_;
+};
 
 }  // namespace
 
@@ -155,16 +196,16 @@ void pad(const DistanceFields& fields, double radiusPx, DistanceFields& padded) 
 
 void pullIn(DistanceFields& fields, const Segment2& segment, double radiusPx) {
   const auto& [a, b] = segment;
-  pullInPair(fields[ViewportEdge::kLeft], fields[ViewportEdge::kRight], fields.widthPx, Capsule({a.y, a.x}, {b.y, b.x}, radiusPx));
-  pullInPair(fields[ViewportEdge::kTop], fields[ViewportEdge::kBottom], fields.heightPx, Capsule({a.x, a.y}, {b.x, b.y}, radiusPx));
+  PairEdit(fields[ViewportEdge::kLeft], fields[ViewportEdge::kRight], fields.widthPx).apply(capsule({a.y, a.x}, {b.y, b.x}, radiusPx));
+  PairEdit(fields[ViewportEdge::kTop], fields[ViewportEdge::kBottom], fields.heightPx).apply(capsule({a.x, a.y}, {b.x, b.y}, radiusPx));
 }
 
 void pullIn(DistanceFields& fields, const Box2& box, double radiusPx) {
   if (box.empty()) return;
   const Interval x{box.min.x, box.max.x};
   const Interval y{box.min.y, box.max.y};
-  pullInPair(fields[ViewportEdge::kLeft], fields[ViewportEdge::kRight], fields.widthPx, RoundedBox(y, x, radiusPx));
-  pullInPair(fields[ViewportEdge::kTop], fields[ViewportEdge::kBottom], fields.heightPx, RoundedBox(x, y, radiusPx));
+  PairEdit(fields[ViewportEdge::kLeft], fields[ViewportEdge::kRight], fields.widthPx).apply(roundedBox(y, x, radiusPx));
+  PairEdit(fields[ViewportEdge::kTop], fields[ViewportEdge::kBottom], fields.heightPx).apply(roundedBox(x, y, radiusPx));
 }
 
 }  // namespace dimline

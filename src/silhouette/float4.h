@@ -2,12 +2,18 @@
 
 #include <cstring>
 
+#if defined(__SSE2__)
+#include <emmintrin.h>
+#elif defined(__wasm_simd128__)
+#include <wasm_simd128.h>
+#endif
+
 namespace dimline {
 
-/// Four floats that the compiler keeps in one vector register (SSE2 natively, simd128 in wasm); +, -, * and comparisons work
-/// lane by lane. A compiler extension that g++ and clang share, so that one source serves both builds.
+/// Four floats that the compiler keeps in one vector register (SSE2 natively, simd128 in wasm); +, -, *, / and comparisons work
+/// lane by lane. A compiler extension that g++ and clang share, so that one source serves both builds; the few things that it
+/// has no good spelling for are functions below, with the machine's own instruction where there is one.
 using Float4 = float __attribute__((vector_size(16)));
-
 /// What comparing them gives: all bits set where it holds.
 using Int4 = int __attribute__((vector_size(16)));
 
@@ -20,8 +26,27 @@ inline Float4 load4(const float* from) {
 }
 inline void store4(float* to, Float4 v) { std::memcpy(to, &v, sizeof v); }
 inline Float4 splat4(float v) { return Float4{v, v, v, v}; }
+
+// With a NaN among the two, these give the second.
+#if defined(__SSE2__)
+inline Float4 min4(Float4 a, Float4 b) { return _mm_min_ps(a, b); }
+inline Float4 max4(Float4 a, Float4 b) { return _mm_max_ps(a, b); }
+/// One bit a lane: whether the comparison held there.
+inline unsigned lanesOf(Int4 held) { return static_cast<unsigned>(_mm_movemask_ps(_mm_castsi128_ps(reinterpret_cast<__m128i>(held)))); }
+#elif defined(__wasm_simd128__)
+inline Float4 min4(Float4 a, Float4 b) {
+  return reinterpret_cast<Float4>(wasm_f32x4_pmin(reinterpret_cast<v128_t>(b), reinterpret_cast<v128_t>(a)));
+}
+inline Float4 max4(Float4 a, Float4 b) {
+  return reinterpret_cast<Float4>(wasm_f32x4_pmax(reinterpret_cast<v128_t>(b), reinterpret_cast<v128_t>(a)));
+}
+inline unsigned lanesOf(Int4 held) { return static_cast<unsigned>(wasm_i32x4_bitmask(reinterpret_cast<v128_t>(held))); }
+#else
 inline Float4 min4(Float4 a, Float4 b) { return a < b ? a : b; }
-inline Float4 max4(Float4 a, Float4 b) { return a < b ? b : a; }
-inline bool any(Int4 v) { return (v[0] | v[1] | v[2] | v[3]) != 0; }
+inline Float4 max4(Float4 a, Float4 b) { return a > b ? a : b; }
+inline unsigned lanesOf(Int4 held) {
+  return (held[0] != 0 ? 1U : 0U) | (held[1] != 0 ? 2U : 0U) | (held[2] != 0 ? 4U : 0U) | (held[3] != 0 ? 8U : 0U);
+}
+#endif
 
 }  // namespace dimline

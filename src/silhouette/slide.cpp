@@ -102,76 +102,150 @@ struct Polygon {
   }
 };
 
-/// Where a polygon lies.
-struct Range {
-  double awayLow = kInfinity, awayHigh = -kInfinity;
-  double alongLow = kInfinity, alongHigh = -kInfinity;
-  double edgeLow = kInfinity, edgeHigh = -kInfinity;   ///< along the viewport edge itself; low > high when it is not met
-
-  explicit Range(const Polygon& polygon) {
-    for (std::size_t i = 0; i < polygon.count; ++i) {
-      const auto& [away, along] = polygon.corners[i];
-      awayLow = std::min(awayLow, away);
-      awayHigh = std::max(awayHigh, away);
-      alongLow = std::min(alongLow, along);
-      alongHigh = std::max(alongHigh, along);
-      if (away > 0) continue;
-      edgeLow = std::min(edgeLow, along);
-      edgeHigh = std::max(edgeHigh, along);
-    }
+/// A homogeneous pixel in a field's own coordinates: x is away, y along.
+Vec3 seenPixel(ViewportEdge edge, const DistanceFields& fields, const Vec3& pixel) {
+  switch (edge) {
+    case ViewportEdge::kLeft: return pixel;
+    case ViewportEdge::kRight: return {fields.widthPx * pixel.z - pixel.x, pixel.y, pixel.z};
+    case ViewportEdge::kTop: return {pixel.y, pixel.x, pixel.z};
+    case ViewportEdge::kBottom: return {fields.heightPx * pixel.z - pixel.y, pixel.x, pixel.z};
   }
+  return {};
+}
+
+/// A box in a field's coordinates; kFar where it has no end.
+struct Range {
+  static constexpr double kFar = 1e9;
+  double awayLow = -kFar, awayHigh = kFar;
+  double alongLow = -kFar, alongHigh = kFar;
 };
 
-/// The wedge in one field's coordinates.
-struct Wedge {
-  Form u, v, w, t;
+/// A slide in one field's coordinates.
+class Wedge {
+ public:
+  Form u, v, w, t;   ///< the forms U, V, W and T
 
   Wedge(const DistanceFields& fields, ViewportEdge edge, const Slide& slide)
       : u(seenFrom(edge, fields, slide.uForm())),
         v(seenFrom(edge, fields, slide.wForm() - slide.uForm())),
         w(seenFrom(edge, fields, slide.wForm())),
-        t(seenFrom(edge, fields, slide.tForm())) {}
+        t(seenFrom(edge, fields, slide.tForm())),
+        origin_(seenPixel(edge, fields, slide.originPixel())),
+        perU_(seenPixel(edge, fields, slide.pixelPerU())),
+        perT_(seenPixel(edge, fields, slide.pixelPerT())) {}
 
-  /// > 0 beyond an offset.
+  /// The form G: > 0 beyond an offset.
   [[nodiscard]] Form beyond(double offsetM) const { return t - w * offsetM; }
+
+  /// A box around all of the wedge that lies beyond an offset: from the line there to where the extension lines meet, or without end.
+  [[nodiscard]] Range rangeBeyond(double offsetM) const {
+    const Vec3 start = origin_ + perT_ * offsetM;
+    const Vec3 end = start + perU_;
+    // Where the line passes the viewer there is no saying where it ends on screen.
+    if (!(std::min(start.z, end.z) > 1e-9 * std::max(origin_.z, origin_.z + perU_.z))) return {};
+    const double startX = start.x / start.z;
+    const double startY = start.y / start.z;
+    const double endX = end.x / end.z;
+    const double endY = end.y / end.z;
+    Range range{std::min(startX, endX), std::max(startX, endX), std::min(startY, endY), std::max(startY, endY)};
+    const auto reach = [](double to, double& low, double& high) {
+      low = std::min(low, to);
+      high = std::max(high, to);
+    };
+    if (perT_.z > 0) {
+      reach(perT_.x / perT_.z, range.awayLow, range.awayHigh);
+      reach(perT_.y / perT_.z, range.alongLow, range.alongHigh);
+    } else {
+      for (const auto& [x, y] : {std::pair{startX, startY}, {endX, endY}}) {
+        reach(x + (perT_.x - x * perT_.z) * Range::kFar, range.awayLow, range.awayHigh);
+        reach(y + (perT_.y - y * perT_.z) * Range::kFar, range.alongLow, range.alongHigh);
+      }
+    }
+    return range;
+  }
+
+ private:
+  Vec3 origin_, perU_, perT_;
 };
 
-/// Lane by lane, the greatest value of a form over boxes: from `away` in to a common end, and from `along` on over a common width.
-struct GreatestOverBox {
-  Float4 perAway;
-  Float4 perAlong;
-  Float4 constant;
+/// As a float in all lanes, however far it is.
+Float4 splatFar(double v) { return splat4(static_cast<float>(std::clamp(v, -Range::kFar, Range::kFar))); }
 
-  GreatestOverBox(const Form& form, double awayHigh, double width, double marginPx)
-      : perAway(splat4(static_cast<float>(std::min(form.away, 0.0)))),
-        perAlong(splat4(static_cast<float>(form.along))),
-        constant(splat4(static_cast<float>(form.constant + std::max(form.away, 0.0) * awayHigh + std::max(form.along, 0.0) * width +
-                                           form.steepness() * marginPx))) {}
-
-  [[nodiscard]] Float4 at(Float4 away, Float4 along) const { return perAway * away + perAlong * along + constant; }
-};
-
-/// The lines between which the wedge lies, as bounds of `away` over the place along: lane by lane, and only roughly.
-class Banks {
+/// Lane by lane, the greatest value of a form over boxes: from `away` to the field's far end, and from `along` on over a common width.
+class GreatestOverBox {
  public:
-  Banks(const Wedge& wedge, const Range& range) : low_(splat4(static_cast<float>(range.awayLow))), high_(splat4(static_cast<float>(range.awayHigh))) {
+  GreatestOverBox() = default;
+  GreatestOverBox(const Form& form, double extentPx, double width, double marginPx)
+      : perAway_(splat4(static_cast<float>(std::min(form.away, 0.0)))),
+        perAlong_(splat4(static_cast<float>(form.along))),
+        constant_(splat4(static_cast<float>(form.constant + std::max(form.away, 0.0) * extentPx + std::max(form.along, 0.0) * width +
+                                            form.steepness() * marginPx))) {}
+
+  [[nodiscard]] Float4 at(Float4 away, Float4 along) const { return perAway_ * away + perAlong_ * along + constant_; }
+
+ private:
+  Float4 perAway_{};
+  Float4 perAlong_{};
+  Float4 constant_{};
+};
+
+/// Tests boxes, four at a time, against the wedge beyond an offset. A box covers `width` strips, and reaches from a value of its own to the field's
+/// far end. Separating axes: the wedge's three sides, and the box's own two directions.
+class BoxFilter {
+ public:
+  BoxFilter(const Wedge& wedge, double extentPx, std::size_t width)
+      : extentPx_(extentPx),
+        width_(static_cast<double>(width)),
+        u_(wedge.u, extentPx, width_, kNegligiblePx),
+        v_(wedge.v, extentPx, width_, kNegligiblePx) {}
+
+  void aim(const Form& beyond, const Range& range) {
+    g_ = GreatestOverBox(beyond, extentPx_, width_, -kNegligiblePx);
+    awayHigh_ = splatFar(range.awayHigh + kNegligiblePx);
+    alongLow_ = splatFar(range.alongLow - width_ - kNegligiblePx);
+    alongHigh_ = splatFar(range.alongHigh + kNegligiblePx);
+  }
+
+  /// Whether a box may hold something beyond the offset by more than kNegligiblePx: never wrongly no.
+  [[nodiscard]] Int4 passes(Float4 value, Float4 along) const {
+    return (value <= awayHigh_) & (along >= alongLow_) & (along <= alongHigh_) & (u_.at(value, along) >= 0.0F) &
+           (v_.at(value, along) >= 0.0F) & (g_.at(value, along) > 0.0F);
+  }
+
+  [[nodiscard]] double width() const { return width_; }
+
+ private:
+  double extentPx_;
+  double width_;
+  Float4 awayHigh_{};
+  Float4 alongLow_{};
+  Float4 alongHigh_{};
+  GreatestOverBox u_;
+  GreatestOverBox v_;
+  GreatestOverBox g_;
+};
+
+/// Says roughly how great an offset a box holds, by which the first to visit is chosen: at the middle of its width, there where the box, cut by the
+/// wedge's two banks (the extension lines), begins and ends.
+class Promise {
+ public:
+  Promise(const Wedge& wedge, const Range& range, double extentPx)
+      : t_(wedge.t), w_(wedge.w), alongLow_(splatFar(range.alongLow)), alongHigh_(splatFar(range.alongHigh)), extent_(splatFar(extentPx)) {
     for (const Form* form : {&wedge.u, &wedge.v}) {
       // A bank that runs nearly straight away bounds no distance.
       if (std::abs(form->away) < 1e-4 * std::abs(form->along)) continue;
       Line& line = form->away > 0 ? lower_[lowers_++] : upper_[uppers_++];
-      line = {splat4(static_cast<float>(-form->along / form->away)), splat4(static_cast<float>(-form->constant / form->away))};
+      line = {splat4(static_cast<float>(-form->along / form->away)), splatFar(-form->constant / form->away)};
     }
   }
 
-  [[nodiscard]] Float4 low(Float4 along) const {
-    Float4 low = low_;
-    for (std::size_t i = 0; i < lowers_; ++i) low = max4(low, lower_[i].at(along));
-    return low;
-  }
-  [[nodiscard]] Float4 high(Float4 along) const {
-    Float4 high = high_;
-    for (std::size_t i = 0; i < uppers_; ++i) high = min4(high, upper_[i].at(along));
-    return high;
+  [[nodiscard]] Float4 of(Float4 value, Float4 along, double width) const {
+    const Float4 middle = max4(min4(along + static_cast<float>(width * 0.5), alongHigh_), alongLow_);
+    Float4 low = max4(value, splat4(0.0F));
+    Float4 high = extent_;
+    for (std::size_t i = 0; i < lowers_; ++i) low = max4(low, lower_[i].at(middle));
+    for (std::size_t i = 0; i < uppers_; ++i) high = min4(high, upper_[i].at(middle));
+    return max4(offset(low, middle), offset(max4(low, high), middle));
   }
 
  private:
@@ -180,148 +254,119 @@ class Banks {
     Float4 constant;
     [[nodiscard]] Float4 at(Float4 along) const { return slope * along + constant; }
   };
-  Float4 low_;
-  Float4 high_;
+  struct Form4 {
+    Float4 away, along, constant;
+    explicit Form4(const Form& f)
+        : away(splat4(static_cast<float>(f.away))), along(splat4(static_cast<float>(f.along))), constant(splat4(static_cast<float>(f.constant))) {}
+    [[nodiscard]] Float4 at(Float4 awayPx, Float4 alongPx) const { return away * awayPx + along * alongPx + constant; }
+  };
+
+  [[nodiscard]] Float4 offset(Float4 away, Float4 along) const {
+    return t_.at(away, along) / max4(w_.at(away, along), splat4(static_cast<float>(kHorizon)));
+  }
+
+  Form4 t_;
+  Form4 w_;
+  Float4 alongLow_;
+  Float4 alongHigh_;
+  Float4 extent_;
   std::array<Line, 2> lower_;
   std::array<Line, 2> upper_;
   std::size_t lowers_ = 0;
   std::size_t uppers_ = 0;
 };
 
-/// Boxes in lots of four against the wedge beyond an offset. A box covers some strips, and reaches from a value of its own in.
-class BoxFilter {
- public:
-  BoxFilter(const Wedge& wedge, const Range& range, double width, double offsetM)
-      : awayLow_(splat4(static_cast<float>(range.awayLow - kNegligiblePx))),
-        awayHigh_(splat4(static_cast<float>(range.awayHigh + kNegligiblePx))),
-        alongLow_(splat4(static_cast<float>(range.alongLow - width - kNegligiblePx))),
-        alongHigh_(splat4(static_cast<float>(range.alongHigh + kNegligiblePx))),
-        u_(wedge.u, range.awayHigh, width, kNegligiblePx),
-        v_(wedge.v, range.awayHigh, width, kNegligiblePx),
-        g_(wedge.beyond(offsetM), range.awayHigh, width, -kNegligiblePx) {}
-
-  /// Whether a box may hold something beyond the offset by more than kNegligiblePx: never wrongly no.
-  [[nodiscard]] Int4 passes(Float4 value, Float4 along) const {
-    const Float4 away = max4(value, awayLow_);
-    return (away <= awayHigh_) & (along >= alongLow_) & (along <= alongHigh_) & (u_.at(away, along) >= 0.0F) & (v_.at(away, along) >= 0.0F) &
-           (g_.at(away, along) > 0.0F);
-  }
-
- private:
-  Float4 awayLow_;
-  Float4 awayHigh_;
-  Float4 alongLow_;
-  Float4 alongHigh_;
-  GreatestOverBox u_;
-  GreatestOverBox v_;
-  GreatestOverBox g_;
-};
-
 /// One field, one slide: the search for the greatest offset over what the field blocks in the wedge.
 class Search {
  public:
-  Search(const DistanceField& field, ViewportEdge edge, const DistanceFields& fields, const Slide& slide)
-      : field_(field), extentPx_(fields.extentPx(edge)), wedge_(fields, edge, slide) {}
+  Search(const DistanceField& field, ViewportEdge edge, const DistanceFields& fields, const Slide& slide, double uselessAboveM)
+      : field_(field),
+        extentPx_(fields.extentPx(edge)),
+        wedge_(fields, edge, slide),
+        blocks_(wedge_, extentPx_, kBlock),
+        strips_(wedge_, extentPx_, 1),
+        enoughM_(std::min(uselessAboveM, kFarthest)) {}
 
-  double run(double uselessAboveM) {
+  double run() {
     if (!(field_.node(1).min < extentPx_)) return 0;   // there is nothing to be seen
-    enoughM_ = std::min(uselessAboveM, kFarthest);
-    const Polygon all = beyond(0);
-    if (all.count == 0) return 0;
-    range_ = Range(all);
-    if (touchesViewportEdge(range_)) return kInfinity;
-    sweep();
+    if (touchesViewportEdge()) return kInfinity;
+    aim();
+    const Promise promise(wedge_, range_, extentPx_);
+    const std::size_t first = stripAt(range_.alongLow);
+    const std::size_t last = stripAt(range_.alongHigh);
+    const std::size_t level = field_.leafCount() / kBlock;
+    sweep(
+        blocks_, promise, first / kBlock, last / kBlock,
+        [&](std::size_t block) {
+          const DistanceField::Range* node = &field_.node(level + block);
+          return Float4{node[0].min, node[1].min, node[2].min, node[3].min};
+        },
+        [&](std::size_t block) {
+          sweep(
+              strips_, promise, std::max(first, block * kBlock), std::min(last, block * kBlock + kBlock - 1),
+              [&](std::size_t strip) { return load4(field_.values().data() + strip); }, [&](std::size_t strip) { improve(strip); });
+        });
     return best_;
   }
 
  private:
-  /// The part of the viewport in the wedge beyond an offset.
-  [[nodiscard]] Polygon beyond(double offsetM) const {
-    Polygon polygon(0, extentPx_, 0, static_cast<double>(field_.size()));
-    polygon.cut(wedge_.u);
-    polygon.cut(wedge_.v);
-    polygon.cut(wedge_.beyond(offsetM));
-    return polygon;
+  /// Whether a strip of value <= 0 meets the viewport edge inside the wedge.
+  [[nodiscard]] bool touchesViewportEdge() const {
+    if (field_.node(1).min > 0) return false;
+    double low = 0;
+    double high = static_cast<double>(field_.size());
+    for (const Form* form : {&wedge_.u, &wedge_.v, &wedge_.t}) {
+      const double atLow = form->at(0, low);
+      const double atHigh = form->at(0, high);
+      if (atLow < 0 && atHigh < 0) return false;
+      if (atLow >= 0 && atHigh >= 0) continue;
+      const double zero = low + (high - low) * (atLow / (atLow - atHigh));
+      (atLow < 0 ? low : high) = zero;
+    }
+    return field_.min(stripAt(low), stripAt(high)) <= 0;
   }
 
   [[nodiscard]] std::size_t stripAt(double along) const {
     return static_cast<std::size_t>(std::clamp(along, 0.0, static_cast<double>(field_.size()) - 1));
   }
 
-  /// Whether a strip of value <= 0 meets the viewport edge inside the wedge.
-  [[nodiscard]] bool touchesViewportEdge(const Range& range) const {
-    if (field_.node(1).min > 0 || range.edgeLow > range.edgeHigh) return false;
-    return field_.min(stripAt(range.edgeLow), stripAt(range.edgeHigh)) <= 0;
+  /// From now on only what lies beyond the best offset matters.
+  void aim() {
+    range_ = wedge_.rangeBeyond(best_);
+    const Form beyond = wedge_.beyond(best_);
+    blocks_.aim(beyond, range_);
+    strips_.aim(beyond, range_);
   }
 
-  /// Raises the best offset over all that the range encloses, until it is more than enough.
-  void sweep() {
-    const Banks banks(wedge_, range_);
-    const std::size_t first = stripAt(range_.alongLow);
-    const std::size_t last = stripAt(range_.alongHigh);
-    const std::size_t level = field_.leafCount() / kBlock;
-    sweepBoxes(
-        banks, first / kBlock, last / kBlock, kBlock,
-        [&](std::size_t block) {
-          const DistanceField::Range* node = &field_.node(level + block);
-          return Float4{node[0].min, node[1].min, node[2].min, node[3].min};
-        },
-        [&](std::size_t block) {
-          sweepBoxes(
-              banks, std::max(first, block * kBlock), std::min(last, block * kBlock + kBlock - 1), 1,
-              [&](std::size_t strip) { return load4(field_.values().data() + strip); }, [&](std::size_t strip) { improve(strip); });
-        });
-  }
-
-  /// Visits the boxes from first to last, each `width` strips wide, that may raise the best offset: the most promising one first.
+  /// Visits the boxes from first to last that may raise the best offset, the most promising one first.
   template <typename ValuesFrom, typename Visit>
-  void sweepBoxes(const Banks& banks, std::size_t first, std::size_t last, std::size_t width, ValuesFrom valuesFrom, Visit visit) {
-    const double widthPx = static_cast<double>(width);
-    const auto alongFrom = [&](std::size_t box) { return (splat4(static_cast<float>(box)) + kLanes) * static_cast<float>(widthPx); };
-    const auto inLast = [&](std::size_t box) { return splat4(static_cast<float>(box)) + kLanes <= static_cast<float>(last); };
-    BoxFilter filter(wedge_, range_, widthPx, best_);
+  void sweep(const BoxFilter& filter, const Promise& promise, std::size_t first, std::size_t last, ValuesFrom valuesFrom, Visit visit) {
+    const auto width = static_cast<float>(filter.width());
+    const Float4 lastBox = splat4(static_cast<float>(last));
     std::size_t promising = last + 1;
     float most = -kNoSilhouette;
-    for (std::size_t box = first; box <= last; box += 4) {
-      const Int4 passes = filter.passes(valuesFrom(box), alongFrom(box)) & inLast(box);
-      if (!any(passes)) continue;
-      const Float4 promise = promiseOf(banks, valuesFrom(box), alongFrom(box), widthPx);
+    for (std::size_t i = first; i <= last; i += 4) {
+      const Float4 box = splat4(static_cast<float>(i)) + kLanes;
+      const Float4 values = valuesFrom(i);
+      const unsigned passes = lanesOf(filter.passes(values, box * width) & (box <= lastBox));
+      if (passes == 0) continue;
+      const Float4 promised = promise.of(values, box * width, filter.width());
       for (std::size_t lane = 0; lane < 4; ++lane) {
-        if (passes[lane] == 0 || !(promise[lane] > most)) continue;
-        most = promise[lane];
-        promising = box + lane;
+        if ((passes >> lane & 1U) == 0 || !(promised[lane] > most)) continue;
+        most = promised[lane];
+        promising = i + lane;
       }
     }
     if (promising > last) return;
-    double filteredM = best_;
     visit(promising);
-    for (std::size_t box = first; box <= last && best_ <= enoughM_; box += 4) {
-      if (best_ > filteredM) {
-        filter = BoxFilter(wedge_, range_, widthPx, best_);
-        filteredM = best_;
-      }
-      const Int4 passes = filter.passes(valuesFrom(box), alongFrom(box)) & inLast(box);
-      if (!any(passes)) continue;
+    for (std::size_t i = first; i <= last && best_ <= enoughM_; i += 4) {
+      const Float4 box = splat4(static_cast<float>(i)) + kLanes;
+      const unsigned passes = lanesOf(filter.passes(valuesFrom(i), box * width) & (box <= lastBox));
+      if (passes == 0) continue;
       for (std::size_t lane = 0; lane < 4; ++lane) {
-        if (passes[lane] != 0 && box + lane != promising) visit(box + lane);
+        if ((passes >> lane & 1U) != 0 && i + lane != promising) visit(i + lane);
       }
     }
-  }
-
-  /// About the greatest offset in each of four boxes, by which the first to visit is chosen: at the middle of the box's width, there where the
-  /// box, cut by the wedge's banks, begins or ends.
-  [[nodiscard]] Float4 promiseOf(const Banks& banks, Float4 value, Float4 along, double width) const {
-    const Float4 middle = max4(min4(along + static_cast<float>(width * 0.5), splat4(static_cast<float>(range_.alongHigh))), splat4(static_cast<float>(range_.alongLow)));
-    const Float4 low = max4(value, banks.low(middle));
-    const Float4 high = max4(low, banks.high(middle));
-    return max4(roughOffset(low, middle), roughOffset(high, middle));
-  }
-
-  [[nodiscard]] Float4 roughOffset(Float4 away, Float4 along) const {
-    const auto at = [&](const Form& form) {
-      return static_cast<float>(form.away) * away + static_cast<float>(form.along) * along + static_cast<float>(form.constant);
-    };
-    return at(wedge_.t) / max4(at(wedge_.w), splat4(static_cast<float>(kHorizon)));
   }
 
   /// Raises the best offset to the greatest in one strip's box.
@@ -337,16 +382,17 @@ class Search {
       const double t = wedge_.t.at(away, along);
       if (t > best_ * w) best_ = w > kHorizon ? t / w : kInfinity;
     }
-    // Only what lies beyond matters from now on.
-    if (best_ > before && best_ <= enoughM_) range_ = Range(beyond(best_));
+    if (best_ > before && best_ <= enoughM_) aim();
   }
 
   const DistanceField& field_;
   double extentPx_;
   Wedge wedge_;
-  Range range_{Polygon(0, 0, 0, 0)};
+  BoxFilter blocks_;
+  BoxFilter strips_;
+  Range range_;
   double best_ = 0;
-  double enoughM_ = kFarthest;
+  double enoughM_;
 };
 
 /// A point of the viewport inside the wedge beyond an offset, if there is one.
@@ -398,19 +444,22 @@ std::optional<Slide> Slide::make(const View& view, const Segment& base, const Ve
   slide.uForm_ = glm::cross(perT, origin) * scale;
   slide.tForm_ = glm::cross(origin, perU) * scale;
   slide.wForm_ = glm::cross(perU, perT) * scale;
-  const Vec3 middle = origin + perU * 0.5;
-  slide.setOffPx_ = (Vec2(perT.x, perT.y) - Vec2(middle.x, middle.y) * (perT.z / middle.z)) / middle.z;
+  slide.originPixel_ = origin;
+  slide.pixelPerU_ = perU;
+  slide.pixelPerT_ = perT;
   return slide;
 }
 
 double leastClearingOffset(const DistanceField& field, ViewportEdge edge, const DistanceFields& fields, const Slide& slide,
                            double uselessAboveM) {
-  return Search(field, edge, fields, slide).run(uselessAboveM);
+  return Search(field, edge, fields, slide, uselessAboveM).run();
 }
 
 double leastClearingOffset(const DistanceFields& fields, const Slide& slide, double uselessAboveM) {
   // The field that the line sets off towards most often has the answer.
-  const Vec2& way = slide.setOffPx();
+  const Vec3 middle = slide.originPixel() + slide.pixelPerU() * 0.5;
+  const Vec3& perT = slide.pixelPerT();
+  const Vec2 way(perT.x * middle.z - middle.x * perT.z, perT.y * middle.z - middle.y * perT.z);   // of its middle, to a positive factor
   const ViewportEdge alongX = way.x < 0 ? ViewportEdge::kLeft : ViewportEdge::kRight;
   const ViewportEdge alongY = way.y < 0 ? ViewportEdge::kTop : ViewportEdge::kBottom;
   const bool xFirst = std::abs(way.x) > std::abs(way.y);

@@ -25,8 +25,10 @@ class Slide {
   [[nodiscard]] const Vec3& tForm() const { return tForm_; }
   /// The forms are scaled so that wForm . q >= 1 on the base line: it is the depth of the base line's farther end over the depth at q.
   [[nodiscard]] const Vec3& wForm() const { return wForm_; }
-  /// The way (px per m) in which the base line's middle sets off on screen as t grows.
-  [[nodiscard]] const Vec2& setOffPx() const { return setOffPx_; }
+  /// The other way round: (u, t) appears at the homogeneous pixel origin + u perU + t perT, whose last component is > 0 in front of the viewer.
+  [[nodiscard]] const Vec3& originPixel() const { return originPixel_; }
+  [[nodiscard]] const Vec3& pixelPerU() const { return pixelPerU_; }
+  [[nodiscard]] const Vec3& pixelPerT() const { return pixelPerT_; }
 
   /// The line at offset t (m), in the world.
   [[nodiscard]] Segment at(double tM) const { return {base_.start + across_ * tM, base_.end + across_ * tM}; }
@@ -35,7 +37,7 @@ class Slide {
   Segment base_;
   Vec3 across_{0.0};
   Vec3 uForm_{0.0}, tForm_{0.0}, wForm_{0.0};
-  Vec2 setOffPx_{0.0};
+  Vec3 originPixel_{0.0}, pixelPerU_{0.0}, pixelPerT_{0.0};
 };
 
 /// The least offset t >= 0 (m) from which on the slid line lies between one viewport edge and that edge's field all along: the greatest t(q)

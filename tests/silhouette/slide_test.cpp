@@ -50,8 +50,9 @@ TEST_CASE("the forms of a slide undo its projection, by hand") {
   REQUIRE(w == Approx(1));
   REQUIRE(glm::dot(f.up.uForm(), q) / w == Approx(0.75));
   REQUIRE(glm::dot(f.up.tForm(), q) / w == Approx(2));
-  REQUIRE(f.up.setOffPx().x == Approx(0).margin(1e-9));
-  REQUIRE(f.up.setOffPx().y == Approx(-10));
+  const Vec3 back = f.up.originPixel() + f.up.pixelPerU() * 0.75 + f.up.pixelPerT() * 2.0;
+  REQUIRE(back.x / back.z == Approx(55));
+  REQUIRE(back.y / back.z == Approx(30));
 }
 
 TEST_CASE("an empty field is clear at once") {
