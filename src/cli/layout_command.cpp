@@ -10,6 +10,7 @@
 #include "cli/output_file.h"
 #include "core/text.h"
 #include "placement/placer.h"
+#include "render/svg_writer.h"
 #include "silhouette/coverage_mask.h"
 #include "silhouette/scope_visibility.h"
 
@@ -138,6 +139,10 @@ Status layOut(const Job& job, FieldMeasurer& measurer, JsonWriter& json) {
     if (options.masksFolder) {
       const Status status = writeMask(numbered(*options.masksFolder, i, ".pgm"), coverageMask(job.scene, view));
       if (!status) return status;
+    }
+    if (options.svgFolder) {
+      const std::string drawing = writeSvg(job.scene, layout, job.model.definition.title);
+      if (Status status = writeFile(numbered(*options.svgFolder, i, ".svg"), drawing); !status) return status;
     }
   }
   json.endArray();

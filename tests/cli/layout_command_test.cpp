@@ -161,6 +161,22 @@ TEST_CASE("masks are binary PGM, 255 where the model is") {
   }
 }
 
+TEST_CASE("drawings are SVG documents, one a camera") {
+  const TemporaryFolder folder;
+  const std::string cameras = folder.file("cameras.json", kTwoCameras);
+  const json layout = layoutOf({"house", "--cameras", cameras, "--size", "500x400", "--svg", folder / "drawings"});
+  CHECK(folder.list("drawings") == std::vector<std::string>{"0000.svg", "0001.svg"});
+  for (std::size_t i = 0; i < 2; ++i) {
+    const std::string svg = contentOf(folder / ("drawings/000" + std::to_string(i) + ".svg"));
+    CHECK(svg.starts_with("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"500\" height=\"400\""));
+    CHECK(svg.ends_with("</svg>\n"));
+    for (const json& line : layout["frames"][i]["lines"]) {
+      if (!line["label"].is_null())
+        CHECK(svg.find(">" + line["text"].get<std::string>() + "</text>") != std::string::npos);
+    }
+  }
+}
+
 TEST_CASE("a glTF file is a model like any other") {
   const json layout = layoutOf({DIMLINE_TEST_DATA_DIR "/gltf/chair_A.gltf", "--set", "Height=2"});
   CHECK(layout["model"] == "chair_A");

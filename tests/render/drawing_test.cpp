@@ -1,0 +1,249 @@
+#include <algorithm>
+#include <cmath>
+
+#include <catch2/catch.hpp>
+
+#include "placement/placer.h"
+#include "render/drawing_lines.h"
+#include "render/edge_lines.h"
+#include "render/model_picture.h"
+#include "render/svg_writer.h"
+#include "silhouette/coverage_mask.h"
+#include "silhouette/cpu_fields.h"
+#include "support/scenes.h"
+
+namespace dimline {
+namespace {
+
+Scene cubeScene() {
+  Scene scene;
+  test::addBox(scene, test::boxAt({-1, -1, -1}, {2, 2, 2}));
+  finish(scene);
+  return scene;
+}
+
+std::vector<DrawingLine> linesOf(const Scene& scene, const View& view) {
+  std::vector<EdgeLine> edges;
+  findEdgeLines(scene, edges);
+  return drawingLines(edges, view, drawModelPicture(scene, view, 3.0));
+}
+
+std::size_t count(const std::vector<DrawingLine>& lines, LineWeight weight) {
+  return static_cast<std::size_t>(
+      std::count_if(lines.begin(), lines.end(), [&](const DrawingLine& line) { return line.weight == weight; }));
+}
+
+/// Whether some line runs from one point to the other, either way.
+bool hasLine(const std::vector<DrawingLine>& lines, const Vec2& a, const Vec2& b, double tolerancePx = 1.5) {
+  return std::any_of(lines.begin(), lines.end(), [&](const DrawingLine& line) {
+    const auto near = [&](const Vec2& p, const Vec2& q) { return glm::length(p - q) < tolerancePx; };
+    const Segment2& s = line.segment;
+    return (near(s.start, a) && near(s.end, b)) || (near(s.start, b) && near(s.end, a));
+  });
+}
+
+TEST_CASE("the picture sees what the coverage mask covers, the nearest first") {
+  Scene scene = cubeScene();
+  test::addBox(scene, test::boxAt({-3, -0.5, 2}, {4, 1, 0.5}));  // in front of the cube, to its left
+  finish(scene);
+  for (const bool orthographic : {false, true}) {
+    Camera camera = test::orbitCamera({0, 0, 0}, 12, 25, 20);
+    if (orthographic) camera.orthoHeightM = 8;
+    const View view(camera, 300, 240, scene.bounds);
+    const ModelPicture picture = drawModelPicture(scene, view, 1.0);
+    const CoverageMask mask = coverageMask(scene, view);
+    REQUIRE(picture.width == 300);
+    REQUIRE(picture.height == 240);
+    int differ = 0, first = 0, second = 0;
+    for (int y = 0; y < 240; ++y) {
+      for (int x = 0; x < 300; ++x) {
+        const std::uint32_t seen = picture.seen[picture.at(x, y)];
+        if ((seen != ModelPicture::kNothing) != mask.covered(x, y)) ++differ;
+        if (seen == ModelPicture::kNothing) continue;
+        (seen < 12 ? first : second) += 1;
+        // The depth is where the pixel's ray meets the box: the two differ in the box that is hit, so compare with both.
+        const double depthM = depthOf(view, static_cast<double>(picture.nearness[picture.at(x, y)]));
+        CHECK(depthM > view.nearM());
+        CHECK(depthM < view.farM());
+      }
+    }
+    CHECK(differ <= 2);
+    CHECK(first > 500);
+    CHECK(second > 500);
+    // The middle of the front box hides the cube behind it.
+    const Vec2 middle = view.toScreen(Vec3(-0.5, 0, 2.5));
+    CHECK(picture.seen[picture.at(static_cast<int>(middle.x), static_cast<int>(middle.y))] >= 12);
+  }
+}
+
+TEST_CASE("a cube seen at a corner has six lines of outline and three within; three more are hidden") {
+  const Scene scene = cubeScene();
+  const View view(test::orbitCamera({0, 0, 0}, 9, 35, 25), 500, 500, scene.bounds);
+  const auto lines = linesOf(scene, view);
+  CHECK(lines.size() == 9);
+  CHECK(count(lines, LineWeight::kOutline) == 6);
+  CHECK(count(lines, LineWeight::kEdge) == 3);
+  // The nearest corner is +x +y +z; the farthest, whose edges are hidden, is the opposite one.
+  const auto at = [&](double x, double y, double z) { return view.toScreen(Vec3(x, y, z)); };
+  CHECK(hasLine(lines, at(1, 1, 1), at(-1, 1, 1)));
+  CHECK(hasLine(lines, at(1, 1, 1), at(1, -1, 1)));
+  CHECK(hasLine(lines, at(1, 1, 1), at(1, 1, -1)));
+  CHECK_FALSE(hasLine(lines, at(-1, -1, -1), at(1, -1, -1)));
+  CHECK_FALSE(hasLine(lines, at(-1, -1, -1), at(-1, 1, -1)));
+  CHECK_FALSE(hasLine(lines, at(-1, -1, -1), at(-1, -1, 1)));
+}
+
+TEST_CASE("what stands behind a wall has no lines") {
+  Scene scene;
+  test::addBox(scene, test::boxAt({-5, -5, 2}, {10, 10, 0.1}));
+  finish(scene);
+  const View view(test::orbitCamera({0, 0, 0}, 20, 5, 5), 400, 400, scene.bounds);
+  const std::size_t alone = linesOf(scene, view).size();
+  test::addBox(scene, test::boxAt({-1, -1, -1}, {2, 2, 2}));
+  finish(scene);
+  CHECK(linesOf(scene, view).size() == alone);
+}
+
+TEST_CASE("half hidden lines end where they go behind") {
+  Scene scene = cubeScene();
+  test::addBox(scene, test::boxAt({-4, -4, 3}, {4, 8, 0.1}));  // hides the left half
+  finish(scene);
+  Camera camera;
+  camera.eye = {0, 0, 30};
+  camera.target = {0, 0, 0};
+  camera.orthoHeightM = 10;
+  const View view(camera, 500, 500, scene.bounds);
+  const auto lines = linesOf(scene, view);
+  const auto at = [&](double x, double y) { return view.toScreen(Vec3(x, y, 1)); };
+  CHECK(hasLine(lines, at(0, 1), at(1, 1)));
+  CHECK(hasLine(lines, at(0, -1), at(1, -1)));
+  CHECK_FALSE(hasLine(lines, at(-1, 1), at(1, 1)));
+}
+
+TEST_CASE("where one part runs into another there is a line, though neither has an edge there") {
+  Scene scene;
+  test::addBox(scene, test::boxAt({-4, -1, -4}, {8, 1, 8}));      // a slab, its top at height 0
+  test::addBox(scene, test::boxAt({-1, -0.5, -1}, {2, 2.5, 2}));  // a block sunk into it
+  finish(scene);
+  const View view(test::orbitCamera({0, 0, 0}, 16, 30, 35), 600, 600, scene.bounds);
+  const auto lines = linesOf(scene, view);
+  const auto at = [&](double x, double z) { return view.toScreen(Vec3(x, 0, z)); };
+  // Found in the picture, so its ends are not exact.
+  CHECK(hasLine(lines, at(-1, 1), at(1, 1), 2.5));
+  CHECK(hasLine(lines, at(1, 1), at(1, -1), 2.5));
+}
+
+TEST_CASE("parts in one plane run on into each other") {
+  Scene scene;
+  for (int i = 0; i < 3; ++i) test::addBox(scene, test::boxAt({i * 2.0, 0, 0}, {2, 3, 1}));
+  finish(scene);
+  Camera camera;
+  camera.eye = {3, 1.5, 30};
+  camera.target = {3, 1.5, 0};
+  camera.orthoHeightM = 6;
+  const View view(camera, 400, 300, scene.bounds);
+  const ModelPicture picture = drawModelPicture(scene, view, 3.0);
+  // Without the boxes' own edges nothing is left to draw.
+  CHECK(drawingLines({}, view, picture).empty());
+}
+
+// --- The document --------------------------------------------------------------------------------------------------------
+
+struct Drawing {
+  Scene scene;
+  Layout layout;
+  std::string svg;
+};
+
+Drawing drawingOf(const Camera& camera, const std::string& title) {
+  const auto model = makeModel(test::boxWithDoor());
+  REQUIRE(model.ok());
+  const Values values(model->parameters());
+  Drawing drawing;
+  drawing.scene = model->definition.build(values);
+  const View view(camera, 700, 500, drawing.scene.bounds);
+  CpuFields producer;
+  producer.setScene(drawing.scene);
+  DistanceFields fields;
+  producer.produce(view, fields);
+  Placer placer;
+  placer.setScene(*model, drawing.scene);
+  placer.place(view, fields, values, drawing.layout);
+  drawing.svg = writeSvg(drawing.scene, drawing.layout, title);
+  return drawing;
+}
+
+std::size_t occurrences(const std::string& text, const std::string& word) {
+  std::size_t found = 0;
+  for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) ++found;
+  return found;
+}
+
+/// Checks that tags are closed in the order in which they were opened, and that no bare & or < stands in between.
+bool wellFormed(const std::string& xml) {
+  std::vector<std::string> open;
+  std::size_t i = 0;
+  while (i < xml.size()) {
+    if (xml[i] == '&') {
+      const std::size_t end = xml.find(';', i);
+      if (end == std::string::npos || end - i > 6) return false;
+    }
+    if (xml[i] != '<') {
+      ++i;
+      continue;
+    }
+    const std::size_t end = xml.find('>', i);
+    if (end == std::string::npos) return false;
+    const std::string tag = xml.substr(i + 1, end - i - 1);
+    if (occurrences(tag, "\"") % 2 != 0 || tag.find('<') != std::string::npos) return false;
+    if (tag.starts_with("/")) {
+      if (open.empty() || open.back() != tag.substr(1)) return false;
+      open.pop_back();
+    } else if (!tag.ends_with("/")) {
+      open.push_back(tag.substr(0, tag.find(' ')));
+    }
+    i = end + 1;
+  }
+  return open.empty();
+}
+
+TEST_CASE("the document is whole, and shows each label once") {
+  const Drawing drawing = drawingOf(test::orbitCamera({0, 2.5, 0}, 24, 35, 20), "Tom & Jerry's <box>");
+  const std::string& svg = drawing.svg;
+  CHECK(svg.starts_with(
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"700\" height=\"500\" viewBox=\"0 0 700 500\""));
+  CHECK(wellFormed(svg));
+  CHECK(svg.find("<title>Tom &amp; Jerry's &lt;box&gt;</title>") != std::string::npos);
+  CHECK(svg.find("nan") == std::string::npos);
+  CHECK(svg.find("inf") == std::string::npos);
+  std::size_t labels = 0;
+  for (const PlacedLine& line : drawing.layout.lines) {
+    if (!line.label) continue;
+    ++labels;
+    CHECK(svg.find(">" + line.text + "</text>") != std::string::npos);
+  }
+  CHECK(labels >= 3);
+  CHECK(occurrences(svg, "<text ") == labels);
+  CHECK(occurrences(svg, "textLength=") == labels);
+}
+
+TEST_CASE("the same frame gives the same document") {
+  const Camera camera = test::orbitCamera({0, 2.5, 0}, 24, 35, 20);
+  CHECK(drawingOf(camera, "Box").svg == drawingOf(camera, "Box").svg);
+}
+
+TEST_CASE("a camera within the model, or turned away from it, still gives a document") {
+  Camera inside;
+  inside.eye = {0, 2, 0};
+  inside.target = {1, 2, 1};
+  CHECK(wellFormed(drawingOf(inside, "Inside").svg));
+  Camera away;
+  away.eye = {0, 2, 20};
+  away.target = {0, 2, 40};
+  const Drawing drawing = drawingOf(away, "Away");
+  CHECK(wellFormed(drawing.svg));
+  CHECK(occurrences(drawing.svg, "<text ") == 0);
+}
+
+}  // namespace
+}  // namespace dimline
