@@ -14,8 +14,8 @@
 #include "model/roof.h"
 #include "model/scene.h"
 
-// Procedural modelling in the terms of shape grammars (CGA shape: Müller, Wonka and others 2006). There is always a current scope, an oriented
-// box; operations move it, divide it, name it, or put geometry into it.
+// Procedural modelling in the terms of shape grammars (CGA shape: Müller, Wonka and others 2006). There is always a
+// current scope, an oriented box; operations move it, divide it, name it, or put geometry into it.
 //
 //     Builder b;
 //     b.scale({8, 6, 5});                                                 // the scope: a box at the origin
@@ -27,12 +27,13 @@
 //     });
 //     Scene scene = b.finish();
 //
-// Whatever runs inside a lambda sees the scope that the operation made for it; afterwards scope and material are what they were. All
-// lengths are metres, all angles radians. Sizes are given along the scope's own axes and counted from its origin corner. World: y up.
+// Whatever runs inside a lambda sees the scope that the operation made for it; afterwards scope and material are what
+// they were. All lengths are metres, all angles radians. Sizes are given along the scope's own axes and counted from
+// its origin corner. World: y up.
 //
-// Geometry. Each primitive adds one closed part, its faces counter-clockwise seen from outside, its points shared (mesh_builder.h). A primitive
-// whose scope has no extent in a direction that it needs adds nothing, so rules need not guard against sizes that shrink to zero.
-// Same calls, same bytes.
+// Geometry. Each primitive adds one closed part, its faces counter-clockwise seen from outside, its points shared
+// (mesh_builder.h). A primitive whose scope has no extent in a direction that it needs adds nothing, so rules need
+// not guard against sizes that shrink to zero. Same calls, same bytes.
 
 namespace dimline {
 
@@ -43,9 +44,10 @@ enum class Face { kFront, kBack, kLeft, kRight, kTop, kBottom };
 inline constexpr Face kSideFaces[] = {Face::kFront, Face::kRight, Face::kBack, Face::kLeft};
 inline constexpr Face kAllFaces[] = {Face::kFront, Face::kRight, Face::kBack, Face::kLeft, Face::kTop, Face::kBottom};
 
-/// One piece of a split. Fixed pieces are metres, relative ones a share of the whole; what these leave is divided among the floating
-/// ones in proportion to their weights. When fixed and relative pieces need more than there is, floating ones get nothing and the others
-/// shrink, all by one factor, so that they fit. Without a floating piece, what is left over stays empty, at the far end.
+/// One piece of a split. Fixed pieces are metres, relative ones a share of the whole; what these leave is divided
+/// among the floating ones in proportion to their weights. When fixed and relative pieces need more than there is,
+/// floating ones get nothing and the others shrink, all by one factor, so that they fit. Without a floating piece,
+/// what is left over stays empty, at the far end.
 struct SplitSize {
   enum class Kind { kFixed, kRelative, kFloating };
   Kind kind = Kind::kFloating;
@@ -105,8 +107,8 @@ public:
 
   /// Moves the origin along the scope's axes.
   void translate(const Vec3& byM);
-  /// Turns the axes about one of them, counter-clockwise seen against it. `pivot` stays where it is; it is in units of the scope's size:
-  /// the default is the origin corner, (0.5, 0, 0.5) the middle of the floor.
+  /// Turns the axes about one of them, counter-clockwise seen against it. `pivot` stays where it is; it is in units
+  /// of the scope's size: the default is the origin corner, (0.5, 0, 0.5) the middle of the floor.
   void rotate(Axis axis, double angleRad, const Vec3& pivot = Vec3(0.0));
   /// Sets the size (the s operation of CGA shape); the origin stays.
   void scale(const Vec3& sizeM);
@@ -114,7 +116,8 @@ public:
   void scale(Axis axis, double sizeM);
   /// Sets the size and keeps the middle along x and z: for something that stands in the middle of a floor.
   void scaleCentered(const Vec3& sizeM);
-  /// Gives a face's scope depth: outwards from the face, or inwards when negative. The scope's z stays the outward normal.
+  /// Gives a face's scope depth: outwards from the face, or inwards when negative. The scope's z stays the outward
+  /// normal.
   void extrude(double depthM);
   /// Grows a face's scope by the distance on all four sides (shrinks when negative, to nothing at most).
   void offset(double distanceM);
@@ -150,8 +153,9 @@ public:
     }
   }
 
-  /// Component split: runs the body in the 2-D scope of a face of the box. Its origin is the lower left corner seen from outside, x runs right, y up
-  /// (on top: to the back; below: to the front), z is the outward normal and the size along z is 0.
+  /// Component split: runs the body in the 2-D scope of a face of the box. Its origin is the lower left corner seen
+  /// from outside, x runs right, y up (on top: to the back; below: to the front), z is the outward normal and the
+  /// size along z is 0.
   template <typename Body>
   void face(Face which, Body&& body) {
     push();
@@ -166,8 +170,9 @@ public:
       face(f, [&] { body(f); });
     }
   }
-  /// The same for the outer faces of a roof (roof.h): body(i) in a 2-D scope whose x runs along the eave, y up the slope and z outwards; its size is
-  /// that of the rectangle around the face. The scope must be the one in which the roof was made.
+  /// The same for the outer faces of a roof (roof.h): body(i) in a 2-D scope whose x runs along the eave, y up the
+  /// slope and z outwards; its size is that of the rectangle around the face. The scope must be the one in which the
+  /// roof was made.
   template <typename Body>
   void slopes(const Roof& roof, Body&& body) {
     for (std::size_t i = 0; i < roof.slopes.size(); ++i) {
@@ -207,21 +212,23 @@ public:
 
   // --- Primitives with a shape of their own ------------------------------------------------------------------------------
 
-  /// Turns a profile of (radius >= 0, height) about the vertical line through the middle of the scope's floor. The profile is an open line; ends that are
-  /// not on the axis are closed by flat discs. It may run either way, up or down, in and out.
+  /// Turns a profile of (radius >= 0, height) about the vertical line through the middle of the scope's floor. The
+  /// profile is an open line; ends that are not on the axis are closed by flat discs. It may run either way, up or
+  /// down, in and out.
   void lathe(std::span<const Vec2> profile, const RoundOptions& options = {});
 
-  /// A prism over a polygon, from one side of the scope to the other along `axis`. The polygon's points are metres from the scope's origin, in
-  /// (x, y) for axis z, (z, y) for axis x, (x, z) for axis y: the first coordinate lies level. Edges of the outline that meet at
-  /// less than `creaseRad` are shaded as one curve.
+  /// A prism over a polygon, from one side of the scope to the other along `axis`. The polygon's points are metres
+  /// from the scope's origin, in (x, y) for axis z, (z, y) for axis x, (x, z) for axis y: the first coordinate lies
+  /// level. Edges of the outline that meet at less than `creaseRad` are shaded as one curve.
   void extrudePolygon(const Polygon& polygon, Axis axis = Axis::kZ, double creaseRad = 0);
   void extrudePolygon(const Ring& outline, Axis axis = Axis::kZ, double creaseRad = 0) {
     extrudePolygon(Polygon{outline, {}}, axis, creaseRad);
   }
 
-  /// Draws a section (metres, counter-clockwise or not; may be concave) along a path given in the scope, mitred at the bends. Where the path starts, the
-  /// section's first axis points to the right of the way seen along it and its second one along `up`; after that it turns with the path and never about it.
-  /// A closed path must lie in a plane that `up` is at right angles to. Bends must be less than 150 degrees.
+  /// Draws a section (metres, counter-clockwise or not; may be concave) along a path given in the scope, mitred at
+  /// the bends. Where the path starts, the section's first axis points to the right of the way seen along it and its
+  /// second one along `up`; after that it turns with the path and never about it. A closed path must lie in a plane
+  /// that `up` is at right angles to. Bends must be less than 150 degrees.
   struct SweepOptions {
     Vec3 up{0, 1, 0};        ///< in the scope; not along the path's first segment
     bool closed = false;     ///< the path's last point is joined to its first
@@ -230,8 +237,8 @@ public:
   void sweep(const Ring& section, std::span<const Vec3> path, const SweepOptions& options);
   void sweep(const Ring& section, std::span<const Vec3> path) { sweep(section, path, SweepOptions()); }
 
-  /// One part made by hand out of flat convex faces, each a ring of points in the scope, counter-clockwise seen from outside. Points that fall together are
-  /// welded, and corners of a face that do are left out.
+  /// One part made by hand out of flat convex faces, each a ring of points in the scope, counter-clockwise seen from
+  /// outside. Points that fall together are welded, and corners of a face that do are left out.
   class Solid {
   public:
     void face(std::initializer_list<Vec3> ring) { face(std::span(ring.begin(), ring.size())); }
@@ -260,16 +267,16 @@ public:
 
   // --- Instancing --------------------------------------------------------------------------------------------------------
 
-  /// Makes a part that can be placed many times: the body draws and names into a scope of that size at the origin, in the current material. It
-  /// may place other parts. Nothing appears before place().
+  /// Makes a part that can be placed many times: the body draws and names into a scope of that size at the origin, in
+  /// the current material. It may place other parts. Nothing appears before place().
   template <typename Body>
   PartId part(const Vec3& sizeM, Body&& body) {
     beginPart(sizeM);
     body();
     return endPart();
   }
-  /// Puts a part at the scope's origin, along its axes. The scope's size does not count. Scopes that the part named are recorded
-  /// for each placement.
+  /// Puts a part at the scope's origin, along its axes. The scope's size does not count. Scopes that the part named
+  /// are recorded for each placement.
   void place(PartId part);
 
 private:
@@ -281,7 +288,8 @@ private:
     std::uint32_t mesh;
     Mat4 transform;
   };
-  /// What is being drawn into: the scene itself, or a part. Its own mesh comes into being when something is first drawn.
+  /// What is being drawn into: the scene itself, or a part. Its own mesh comes into being when something is first
+  /// drawn.
   struct Target {
     std::unique_ptr<MeshBuilder> mesh;
     std::vector<Placed> placed;

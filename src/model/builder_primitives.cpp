@@ -2,8 +2,8 @@
 
 #include "model/builder.h"
 
-// Boxes, prisms and parts made by hand. All but Solid know their own topology and share their points by index; Solid has to look for points
-// that fall together.
+// Boxes, prisms and parts made by hand. All but Solid know their own topology and share their points by index; Solid
+// has to look for points that fall together.
 
 namespace dimline {
 
@@ -41,8 +41,8 @@ void Builder::rectangle() {
 
 // --- Prisms ------------------------------------------------------------------------------------------------------------
 
-// For axes x and y the polygon's two coordinates are a left-handed pair with the axis, so the prism is drawn from the far
-// side back.
+// For axes x and y the polygon's two coordinates are a left-handed pair with the axis, so the prism is drawn from the
+// far side back.
 void Builder::extrudePolygon(const Polygon& input, Axis axis, double creaseRad) {
   const double depth = size()[static_cast<int>(axis)];
   if (depth <= MeshBuilder::kNothingM || input.outer.size() < 3) return;

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
-// All pitched roofs are outer faces plus the same faces lowered, tied together by an upright band along the edges that no
-// two of them share. Only the outer faces differ from roof to roof.
+// All pitched roofs are outer faces plus the same faces lowered, tied together by an upright band along the edges
+// that no two of them share. Only the outer faces differ from roof to roof.
 
 namespace dimline {
 

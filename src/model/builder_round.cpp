@@ -4,14 +4,15 @@
 
 #include "model/builder.h"
 
-// Bodies of revolution. One routine turns a profile; cylinders, cones and spheres are profiles, and ellipses are circles that it stretches.
+// Bodies of revolution. One routine turns a profile; cylinders, cones and spheres are profiles, and ellipses are
+// circles that it stretches.
 
 namespace dimline {
 
 namespace {
 
-/// The profile from axis to axis, with outside to its right; empty when it encloses nothing. The discs that close its ends are edges like all
-/// others.
+/// The profile from axis to axis, with outside to its right; empty when it encloses nothing. The discs that close its
+/// ends are edges like all others.
 std::vector<Vec2> closedProfile(std::span<const Vec2> input) {
   std::vector<Vec2> profile;
   for (const Vec2& p : input) {
@@ -26,7 +27,8 @@ std::vector<Vec2> closedProfile(std::span<const Vec2> input) {
   return profile;
 }
 
-/// Normals (outwards, up) at both ends of each edge of the profile. At a pole that is flat within the crease, the normal is the axis.
+/// Normals (outwards, up) at both ends of each edge of the profile. At a pole that is flat within the crease, the
+/// normal is the axis.
 std::vector<EdgeNormals> profileNormals(std::span<const Vec2> profile, double creaseRad) {
   std::vector<EdgeNormals> normals = edgeNormals(profile, creaseRad);
   normals.pop_back();  // that of the way back along the axis
@@ -39,7 +41,8 @@ std::vector<EdgeNormals> profileNormals(std::span<const Vec2> profile, double cr
   return normals;
 }
 
-/// (cos, -sin) of the columns' edges, the first one again at the end: counter-clockwise seen from above, with z downwards on the paper.
+/// (cos, -sin) of the columns' edges, the first one again at the end: counter-clockwise seen from above, with z
+/// downwards on the paper.
 std::vector<Vec2> columnEdges(int segments) {
   std::vector<Vec2> edges;
   for (int j = 0; j < segments; ++j) {

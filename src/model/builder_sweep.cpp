@@ -3,8 +3,8 @@
 
 #include "model/builder.h"
 
-// Sections drawn along a path. The frame of the section goes along without turning about the path; where the path bends, the
-// section's lines before and after meet in the plane that halves the bend.
+// Sections drawn along a path. The frame of the section goes along without turning about the path; where the path
+// bends, the section's lines before and after meet in the plane that halves the bend.
 
 namespace dimline {
 
@@ -42,7 +42,8 @@ struct Path {
 
   [[nodiscard]] std::size_t segments() const { return way.size(); }
 
-  /// Where the section's point q lies at path point i: on the line through it along the segment before (after, at the start), in the plane there.
+  /// Where the section's point q lies at path point i: on the line through it along the segment before (after, at the
+  /// start), in the plane there.
   [[nodiscard]] Vec3 at(std::size_t i, const Vec2& q) const {
     const std::size_t s = i == 0 ? 0 : i - 1;
     const bool bend = closed || (i > 0 && i < segments());

@@ -9,9 +9,10 @@
 
 namespace dimline {
 
-/// Writes triangles into a mesh, part by part. A part is one connected surface, closed wherever the thing it shows is solid: its
-/// points are shared between all faces that meet there, and never with another part, so that each edge of a closed part belongs to
-/// exactly two triangles. Points are doubles until they are written. All faces are counter-clockwise seen from outside.
+/// Writes triangles into a mesh, part by part. A part is one connected surface, closed wherever the thing it shows is
+/// solid: its points are shared between all faces that meet there, and never with another part, so that each edge of
+/// a closed part belongs to exactly two triangles. Points are doubles until they are written. All faces are
+/// counter-clockwise seen from outside.
 class MeshBuilder {
 public:
   /// Points nearer than this are one when they are welded (m). Far below anything that is built, far above rounding.
@@ -30,7 +31,8 @@ public:
 
   [[nodiscard]] const Vec3& at(std::uint32_t point) const { return points_[point - firstPoint_]; }
 
-  /// A flat convex face: shaded flat, uv from its plane (see planeUv). Points that repeat are left out; fewer than three are no face.
+  /// A flat convex face: shaded flat, uv from its plane (see planeUv). Points that repeat are left out; fewer than
+  /// three are no face.
   void face(std::span<const std::uint32_t> ring, std::uint16_t material);
 
   struct Corner {
@@ -52,8 +54,8 @@ private:
   std::size_t welded_ = 0;  // so many of points_ are in cells_
 };
 
-/// The two directions in which a plane's uv run, in metres: u horizontal (to the right seen from outside), v up the slope. On a level plane, u
-/// is +x, and v is -z seen from above, +z seen from below.
+/// The two directions in which a plane's uv run, in metres: u horizontal (to the right seen from outside), v up the
+/// slope. On a level plane, u is +x, and v is -z seen from above, +z seen from below.
 struct PlaneAxes {
   Vec3 u, v;
 };

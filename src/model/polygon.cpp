@@ -9,8 +9,9 @@
 
 #include <glm/geometric.hpp>
 
-// Triangulation: holes are joined to the outer ring by bridges (the shortest segment to a vertex that sees the hole), then
-// ears are cut, the best-shaped one first. Polygons here have tens of points, seldom hundreds, so the square of that is fine.
+// Triangulation: holes are joined to the outer ring by bridges (the shortest segment to a vertex that sees the hole),
+// then ears are cut, the best-shaped one first. Polygons here have tens of points, seldom hundreds, so the square of
+// that is fine.
 
 namespace dimline {
 
@@ -101,7 +102,8 @@ private:
     return candidates.front();
   }
 
-  /// Whether a step from ring vertex i towards p goes into the region. A vertex that is in the ring twice is so by one copy only.
+  /// Whether a step from ring vertex i towards p goes into the region. A vertex that is in the ring twice is so by
+  /// one copy only.
   [[nodiscard]] bool opensTowards(std::size_t i, const Vec2& p) const {
     const std::size_t n = ring_.size();
     const Vec2 a = points_[ring_[(i + n - 1) % n]], v = points_[ring_[i]], b = points_[ring_[(i + 1) % n]];
@@ -166,8 +168,8 @@ private:
   }
 };
 
-/// Whether two edges that are not neighbours meet. Touching counts: a ring that was offset so far that two of its sides lie in one line
-/// has no inside there.
+/// Whether two edges that are not neighbours meet. Touching counts: a ring that was offset so far that two of its
+/// sides lie in one line has no inside there.
 bool meetsItself(const Ring& ring) {
   const auto apart = [](double a, double b, double c, double d) {
     return std::max(a, b) < std::min(c, d) || std::max(c, d) < std::min(a, b);
@@ -229,7 +231,8 @@ void orient(Polygon& polygon) {
   }
 }
 
-// Moves all edges at once, up to the moment when the first one vanishes, drops it, and goes on with the rest of the way.
+// Moves all edges at once, up to the moment when the first one vanishes, drops it, and goes on with the rest of the
+// way.
 Ring offset(std::span<const Vec2> input, double distanceM) {
   Ring ring(input.begin(), input.end());
   if (signedArea(ring) < 0) std::reverse(ring.begin(), ring.end());

@@ -8,15 +8,16 @@
 
 namespace dimline {
 
-/// A pitched roof as one slab over a rectangle: the floor of the Builder's scope, x by z. Its underside passes through the floor's
-/// edges, the outer upper edges of the walls, and runs on beyond them:
+/// A pitched roof as one slab over a rectangle: the floor of the Builder's scope, x by z. Its underside passes through
+/// the floor's edges, the outer upper edges of the walls, and runs on beyond them. Outer faces, underside and the
+/// upright edges all around (the fascia) are one closed part.
 ///
-///                  /\                     The eave hangs overhang * tan(pitch) below the floor. To have its underside
-///                 /  \                    level with something, move the scope up by that much (eaveDropM).
-///               //\  /\\                .
-///             // | \/ | \\                Outer faces, underside and the upright edges all around (the fascia) are one
-///       eave /_  |    |  _\               closed part.
-///                +----+  <- floor
+///               /\              ridge
+///             / /\ \
+///           / /    \ \
+///         / / ...... \ \        ...... the scope's floor, on top of the walls
+///        |/  |      |  \|       the eave's underside hangs overhang * tan(pitch) below the floor (eaveDropM):
+///            | wall |           to have it level with something, move the scope up by that much
 ///
 struct RoofOptions {
   double pitchRad = 0.6;                   ///< (0, 1.4)
@@ -28,7 +29,8 @@ struct RoofOptions {
   [[nodiscard]] double eaveDropM() const;
 };
 
-/// A flat roof: a slab that lies on the floor's rectangle and reaches over it, with an upstand (parapet) along its edge.
+/// A flat roof: a slab that lies on the floor's rectangle and reaches over it, with an upstand (parapet) along its
+/// edge.
 struct FlatRoofOptions {
   double overhangM = 0;
   double thicknessM = 0.25;     ///< of the slab, upright, > 0

@@ -1,8 +1,8 @@
 #include "models/house_parts.h"
 #include "models/models.h"
 
-// A family house: a rectangular body of some storeys over a plinth, a regular row of windows on each side, the entrance in front. house_plan
-// decides where everything is; the other house files draw it.
+// A family house: a rectangular body of some storeys over a plinth, a regular row of windows on each side, the
+// entrance in front. house_plan decides where everything is; the other house files draw it.
 
 namespace dimline {
 
@@ -39,8 +39,9 @@ void describe(dimline::Parameter& p, std::string group, std::string help, std::s
   p.annotation = std::move(annotation);
 }
 
-// Ranges are such that every value can be had whatever the others are: the highest sill and the highest window fit into the lowest storey
-// (0.9 + 1.6 + 0.2 = 2.7), two of the widest windows into the shortest wall. So a direct dimension always shows its value.
+// Ranges are such that every value can be had whatever the others are: the highest sill and the highest window fit
+// into the lowest storey (0.9 + 1.6 + 0.2 = 2.7), two of the widest windows into the shortest wall. So a direct
+// dimension always shows its value.
 std::vector<dimline::Parameter> houseParameters() {
   using enum ParameterType;
   std::vector<dimline::Parameter> p(kParameterCount);

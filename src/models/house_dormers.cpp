@@ -3,8 +3,8 @@
 
 #include "models/house_parts.h"
 
-// Windows in the roof: dormers above the front, flat ones in the slope behind. They stand over the facade's bays, evenly to both sides of the
-// entrance, and only where the slope is high and wide enough.
+// Windows in the roof: dormers above the front, flat ones in the slope behind. They stand over the facade's bays,
+// evenly to both sides of the entrance, and only where the slope is high and wide enough.
 
 namespace dimline::house {
 

@@ -3,8 +3,8 @@
 
 #include "models/house_parts.h"
 
-// The door and what stands before it: landing and steps, a balcony on posts or a canopy; and the terrace behind the house. Scope
-// of all but the door: a facade, its floor level with the ground floor.
+// The door and what stands before it: landing and steps, a balcony on posts or a canopy; and the terrace behind the
+// house. Scope of all but the door: a facade, its floor level with the ground floor.
 
 namespace dimline::house {
 

@@ -3,8 +3,8 @@
 
 #include "models/house_parts.h"
 
-// Walls and what fills their openings. A facade's scope is a face of the storeys' box (x right, y up, z outwards), so the same
-// rules draw all four sides. Windows of one house are all alike: made once, placed often.
+// Walls and what fills their openings. A facade's scope is a face of the storeys' box (x right, y up, z outwards), so
+// the same rules draw all four sides. Windows of one house are all alike: made once, placed often.
 
 namespace dimline::house {
 

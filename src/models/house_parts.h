@@ -45,7 +45,8 @@ inline constexpr double kRoofSlab = 0.22;  ///< thickness of a pitched roof at r
 /// Scope: the box of all storeys.
 void buildRoof(const House& house);
 
-// For all that follows the scope is the roof's base: level with the walls' upper outer edges, where the underside meets them.
+// For all that follows the scope is the roof's base: level with the walls' upper outer edges, where the underside
+// meets them.
 
 /// Half-round tiles along ridge and hips.
 void drawRidges(const House& house, const Roof& roof);

@@ -62,7 +62,8 @@ double balconyHalfWidth(const Plan& plan, const Facade& f, double center, double
   return std::min(need, room);
 }
 
-/// Shutters go to every window of a facade whose bays are wide enough, except beside a door that leaves no room for them.
+/// Shutters go to every window of a facade whose bays are wide enough, except beside a door that leaves no room for
+/// them.
 void planShutters(const Plan& plan, Facade& f) {
   const double leaf = besideWindow(plan, true);
   for (Opening& o : f.openings) {

@@ -5,10 +5,11 @@
 #include "model/builder.h"
 #include "model/model.h"
 
-// The family house in numbers, before anything is drawn: where walls, floors and openings are. Inner header of the house model.
+// The family house in numbers, before anything is drawn: where walls, floors and openings are. Inner header of the
+// house model.
 //
-// The house stands over the origin, its front towards +z, the ground at y = 0. A facade's coordinates are x from its left end seen
-// from outside and y from the ground floor's level.
+// The house stands over the origin, its front towards +z, the ground at y = 0. A facade's coordinates are x from its
+// left end seen from outside and y from the ground floor's level.
 
 namespace dimline::house {
 

@@ -4,8 +4,8 @@
 
 #include "models/house_parts.h"
 
-// The four roofs. The storeys' box ends at the eaves: a pitched roof's base lies higher by what the eave hangs down, so that the
-// underside's outer edge is level with the box's top whatever pitch and overhang are.
+// The four roofs. The storeys' box ends at the eaves: a pitched roof's base lies higher by what the eave hangs down,
+// so that the underside's outer edge is level with the box's top whatever pitch and overhang are.
 
 namespace dimline::house {
 
@@ -37,7 +37,8 @@ void nameOverhangs(const House& house, double low, double high) {
   });
 }
 
-/// The angle at the front eave, on the roof's right edge: x runs level from the eave towards the ridge, y up; the angle opens from x towards y, about z.
+/// The angle at the front eave, on the roof's right edge: x runs level from the eave towards the ridge, y up; the
+/// angle opens from x towards y, about z.
 void namePitch(const House& house, double eaveY, double runM) {
   Builder& b = house.b;
   const double o = house.plan.overhang;

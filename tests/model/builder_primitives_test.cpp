@@ -14,7 +14,8 @@ constexpr double kPi = std::numbers::pi;
 /// Area of a regular polygon with that many sides, for the unit circle around it.
 double polygonArea(int sides) { return 0.5 * sides * std::sin(2 * kPi / sides); }
 
-/// What `draw` puts into a scope of that size, checked to be closed solids; in a frame that is turned and moved, since that must not matter.
+/// What `draw` puts into a scope of that size, checked to be closed solids; in a frame that is turned and moved,
+/// since that must not matter.
 template <typename Draw>
 Mesh drawn(const Vec3& size, Draw&& draw) {
   Builder b;
@@ -28,7 +29,8 @@ Mesh drawn(const Vec3& size, Draw&& draw) {
   return scene.meshes.empty() ? Mesh() : scene.meshes[0];
 }
 
-/// Greatest angle between a corner's normal and what `expected` says of its position (both in the scope), over a mesh drawn at the origin.
+/// Greatest angle between a corner's normal and what `expected` says of its position (both in the scope), over a mesh
+/// drawn at the origin.
 template <typename Expected>
 double worstNormalRad(const Mesh& mesh, Expected&& expected) {
   double worst = 0;
@@ -184,8 +186,8 @@ TEST_CASE("a curved outline is shaded as a curve below its crease") {
 }
 
 TEST_CASE("a sweep is mitred at its bends") {
-  // A square section of 0.2 round the corner: both legs end in the plane that halves the angle, so the volume is section times
-  // the length of the path through its middle.
+  // A square section of 0.2 round the corner: both legs end in the plane that halves the angle, so the volume is
+  // section times the length of the path through its middle.
   const Ring square = rectangleRing({-0.1, -0.1}, {0.1, 0.1});
   const Mesh corner =
       drawn({1, 1, 1}, [&](Builder& b) { b.sweep(square, std::vector<Vec3>{{0, 0, 0}, {3, 0, 0}, {3, 0, -2}}); });

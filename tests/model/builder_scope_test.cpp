@@ -118,7 +118,8 @@ TEST_CASE("each face of a box is a scope that sees it from outside") {
     CHECK(near(glm::cross(s.axes[0], s.axes[1]), s.axes[2]));
     CHECK(s.size == sizes[i]);
     CHECK(glm::dot(s.center() - middle, s.axes[2]) > 0);
-    // The face's middle lies straight outwards of the box's middle: the face is in the right place, not just the right plane.
+    // The face's middle lies straight outwards of the box's middle: the face is in the right place, not just the
+    // right plane.
     CHECK(glm::length(glm::cross(s.center() - middle, s.axes[2])) < 1e-12);
     if (i < 4) CHECK(s.axes[1] == Vec3(0, 1, 0));
     ++i;

@@ -95,7 +95,8 @@ TEST_CASE("random stars with random holes are filled exactly") {
       const double angle = 6.283185307179586 * i / sides, r = random.real(4, 9);
       p.outer.emplace_back(r * std::cos(angle), r * std::sin(angle));
     }
-    // Holes in the cells of a grid that lies inside the star's kernel: with three sides that is a circle of radius 2 at least.
+    // Holes in the cells of a grid that lies inside the star's kernel: with three sides that is a circle of radius 2
+    // at least.
     for (int x = -1; x <= 1; ++x) {
       for (int y = -1; y <= 1; ++y) {
         if (!random.chance(0.6) || sides < 6) continue;
@@ -117,7 +118,8 @@ TEST_CASE("offset moves edges outwards and inwards, with mitred corners") {
   CHECK(out[2] == Vec2(4.5, 2.5));
   CHECK(signedArea(offset(rectangleRing({0, 0}, {4, 2}), -0.5)) == Approx(3.0));
 
-  // An L shrinks at its outer corners and grows at its inner one: 5 - perimeter 12 * 0.25 + 4 * 0.25^2 (5 outer less 1 inner corner).
+  // An L shrinks at its outer corners and grows at its inner one: 5 - perimeter 12 * 0.25 + 4 * 0.25^2 (5 outer less
+  // 1 inner corner).
   const Ring l{{0, 0}, {3, 0}, {3, 1}, {1, 1}, {1, 3}, {0, 3}};
   CHECK(signedArea(offset(l, -0.25)) == Approx(2.25));
   CHECK(signedArea(offset(l, 0.25)) == Approx(8.25));
@@ -130,8 +132,9 @@ TEST_CASE("offset does not mind which way round a ring runs") {
 }
 
 TEST_CASE("an offset drops edges that vanish, and is empty when nothing is left") {
-  // A 6 by 6 square with a corner cut off by 1: the cut has length sqrt 2 and grows by 2 (tan 22.5 deg) less per metre, so it stays;
-  // the trapezium's short top of 1 vanishes when both slopes have come in by 0.5 / tan(22.5 deg) = 1.207.
+  // A 6 by 6 square with a corner cut off by 1: the cut has length sqrt 2 and grows by 2 (tan 22.5 deg) less per
+  // metre, so it stays; the trapezium's short top of 1 vanishes when both slopes have come in by 0.5 / tan(22.5 deg)
+  // = 1.207.
   const Ring trapezium{{0, 0}, {7, 0}, {4, 3}, {3, 3}};
   CHECK(offset(trapezium, -1.0).size() == 4);
   const Ring triangle = offset(trapezium, -1.25);

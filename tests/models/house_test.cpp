@@ -327,7 +327,8 @@ TEST_CASE("openings are open: a look through a pane meets glass and nothing else
     INFO(text(values));
     const Scene scene = theHouse().definition.build(values);
     for (const Obb& window : scopesNamed(scene, "Window")) {
-      // A quarter in from the left and from below: in a pane, whatever the number of panes is (bars are at halves and thirds).
+      // A quarter in from the left and from below: in a pane, whatever the number of panes is (bars are at halves and
+      // thirds).
       const Vec3 from = window.at({0.25, 0.25, 1}) + window.axes[2] * 0.005;
       const auto met = metBy(scene, from, -window.axes[2], 0, house::kWallThickness);
       CHECK(met.size() == 2);  // in and out again
