@@ -12,12 +12,12 @@ namespace dimline {
 /// the floor's edges, the outer upper edges of the walls, and runs on beyond them. Outer faces, underside and the
 /// upright edges all around (the fascia) are one closed part.
 ///
-///               /\              ridge
-///             / /\ \
-///           / /    \ \
-///         / / ...... \ \        ...... the scope's floor, on top of the walls
-///        |/  |      |  \|       the eave's underside hangs overhang * tan(pitch) below the floor (eaveDropM):
-///            | wall |           to have it level with something, move the scope up by that much
+///               /\                . ridge
+///             / /\ \              .
+///           / /    \ \            .
+///         / / ...... \ \          . ...... is the scope's floor, on top of the walls
+///        |/  |      |  \|         . the eave's underside hangs overhang * tan(pitch) below it (eaveDropM): to have
+///            | wall |             . it level with something, move the scope up by that much
 ///
 struct RoofOptions {
   double pitchRad = 0.6;                   ///< (0, 1.4)
