@@ -26,7 +26,7 @@ export async function createCore({ url = kModuleUrl } = {}) {
   try {
     ({ default: createModule } = await import(/* @vite-ignore */ String(url)));
   } catch (cause) {
-    throw new Error(`The core could not be loaded from ${url}: is dimline.js there, and the network up?`, { cause });
+    throw new Error(`dimline.js could not be loaded from ${url}. Is it there, and the network up?`, { cause });
   }
   if (typeof createModule !== "function") {
     throw new Error(`${url} is not the Dimline core: it should export a function by default.`);
@@ -34,7 +34,7 @@ export async function createCore({ url = kModuleUrl } = {}) {
   try {
     return new Core(await createModule({}));
   } catch (cause) {
-    throw new Error(`The core's dimline.wasm, beside ${url}, could not be loaded or started: ${cause?.message ?? cause}`, { cause });
+    throw new Error(`dimline.wasm, beside ${url}, could not be loaded or started. Is it there, and the network up?`, { cause });
   }
 }
 

@@ -50,6 +50,7 @@ export class DimlineEditor extends Base {
   #drawnSize = "";
   #contextTimer = 0;
   #attempt = 0;
+  #error = null;
 
   constructor() {
     super();
@@ -127,6 +128,11 @@ export class DimlineEditor extends Base {
   }
 
   // --- Beyond the contract: what a page around the element needs ---
+
+  /** Why the editor cannot go on, which it shows by itself; null while all is well. */
+  get error() {
+    return this.#error;
+  }
 
   get canUndo() {
     return this.#core?.canUndo ?? false;
@@ -263,14 +269,15 @@ export class DimlineEditor extends Base {
     const tip = make("div", "tip");
     tip.setAttribute("aria-hidden", "true");
     const stage = make("div", "stage", canvas, make("div", "ring"), labels, tip);
-    const text = make("p");
+    const text = make("p", "heading");
+    const why = make("p");
     const retry = make("button", "", "Try again");
     retry.type = "button";
-    const message = make("div", "message", text, retry);
+    const message = make("div", "message", text, why, retry);
     message.setAttribute("role", "alert");
     message.hidden = true;
     this.#root.replaceChildren(stage, message);
-    this.#parts = { canvas, stage, message, text, retry };
+    this.#parts = { canvas, stage, message, text, why, retry };
 
     const host = {
       core: () => this.#core,
@@ -288,9 +295,10 @@ export class DimlineEditor extends Base {
   }
 
   #makeContext() {
-    // The picture is drawn with multisampling of its own and copied; nothing of it is kept between frames.
+    // The renderer multisamples by itself and copies the finished picture here, often as the first thing of a frame. Chromium empties a
+    // buffer that it need not preserve later than that, at the frame's first draw call, and would take the copy along.
     const gl = this.#parts.canvas.getContext("webgl2", {
-      alpha: false, antialias: false, depth: false, stencil: false, powerPreference: "high-performance",
+      alpha: false, antialias: false, depth: false, stencil: false, preserveDrawingBuffer: true, powerPreference: "high-performance",
     });
     if (!gl) {
       throw new Error("This browser offers no WebGL 2, which the picture needs. A current browser with hardware acceleration switched on has it.");
@@ -316,6 +324,7 @@ export class DimlineEditor extends Base {
     this.#deviceSize = null;
     this.#drawnSize = "";
     this.#hasModel = false;
+    this.#error = null;
     const gone = new Error("The editor left the document.");
     this.#ready.reject(gone);
     this.#ready = makeReady();
@@ -348,7 +357,7 @@ export class DimlineEditor extends Base {
     } catch (error) {
       if (signal.aborted) return;
       if (error instanceof WebAssembly.RuntimeError) return this.#fail(error);
-      if (!this.#hasModel) this.#showMessage(error.message);
+      if (!this.#hasModel) this.#showMessage("The model cannot be shown.", error.message);
       this.dispatchEvent(new ErrorEvent("error", { error, message: error.message, bubbles: true, composed: true, cancelable: true }));
     }
   }
@@ -432,6 +441,7 @@ export class DimlineEditor extends Base {
       this.#lastFrameMs = nowMs = Math.max(nowMs, this.#lastFrameMs);
       this.#applySize();
       const more = this.#core.frame(nowMs);
+      if (this.#hasModel) this.#parts.canvas.toggleAttribute("data-drawn", true);
       const rests = !more && this.#core.atRest;
       const events = this.#core.takeEvents();
       if (events.some((type) => type !== "camera-change")) this.#describe();
@@ -454,7 +464,7 @@ export class DimlineEditor extends Base {
     event.preventDefault(); // or it is never restored
     this.#guard(() => this.#core?.contextLost());
     this.#contextTimer = setTimeout(() => {
-      this.#showMessage("The graphics device went away and has not come back.", true);
+      this.#showMessage("The picture is gone.", "The graphics device went away and has not come back.", true);
     }, kContextPatienceMs);
   }
 
@@ -514,23 +524,28 @@ export class DimlineEditor extends Base {
 
   #fail(error) {
     const listening = this.#listening;
+    this.#error = error;
     this.#core = null; // after a trap not even disposing is safe; the instance goes as a whole
     cancelAnimationFrame(this.#frameRequest);
     this.#frameRequest = 0;
     for (const waiting of this.#settling.splice(0)) waiting.reject(error);
     this.#ready.reject(error);
     if (!listening) return;
-    const trapped = error instanceof WebAssembly.RuntimeError;
-    this.#showMessage(trapped ? "The editor had to stop because of a fault in its core." : error.message, true);
-    if (trapped) console.error(error);
+    if (error instanceof WebAssembly.RuntimeError) {
+      console.error(error);
+      this.#showMessage("The editor had to stop.", "There was a fault in its core.", true);
+    } else {
+      this.#showMessage("The editor cannot be shown.", error.message, true);
+    }
     this.dispatchEvent(new ErrorEvent("error", { error, message: error.message, bubbles: true, composed: true }));
   }
 
-  #showMessage(sentence, canRetry = false) {
+  #showMessage(heading, reason = "", canRetry = false) {
     if (!this.#parts) return;
-    const { message, text, retry } = this.#parts;
-    message.hidden = !sentence;
-    text.textContent = sentence ?? "";
+    const { message, text, why, retry } = this.#parts;
+    message.hidden = !heading;
+    text.textContent = heading ?? "";
+    why.textContent = reason;
     retry.hidden = !canRetry;
   }
 }

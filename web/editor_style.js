@@ -36,6 +36,8 @@ canvas {
   display: block;
   outline: none;
 }
+/* A canvas is black until something is drawn. */
+canvas:not([data-drawn]) { visibility: hidden; }
 canvas:focus-visible + .ring { opacity: 1; }
 .ring {
   position: absolute;
@@ -97,14 +99,16 @@ canvas:focus-visible + .ring { opacity: 1; }
   display: grid;
   place-content: center;
   justify-items: center;
-  gap: 16px;
+  gap: 8px;
   padding: 24px;
   text-align: center;
-  background: linear-gradient(#f3f5f6, #fbfaf8);
+  background: linear-gradient(#edf1f4, #fbfaf8);
 }
 .message[hidden] { display: none; }
-.message p { margin: 0; max-width: 44ch; font-size: 16px; overflow-wrap: anywhere; }
+.message p { margin: 0; max-width: 48ch; font-size: 15px; overflow-wrap: anywhere; text-wrap: balance; color: #52606d; }
+.message .heading { font-size: 18px; color: inherit; }
 .message button {
+  margin-top: 12px;
   min-height: 44px;
   padding: 0 22px;
   border: 1px solid var(--dimline-ink);

@@ -79,10 +79,10 @@ function showDocument() {
   showProjection();
 }
 
+// The editor itself tells why it cannot go on; the page tells why a document could not be loaded while another is shown.
 function showFailure(error) {
-  say(error.message);
-  if (panelNode.dataset.state === "ready") return;
-  panelNode.dataset.state = "failed";
+  if (panelNode.dataset.state !== "ready") panelNode.dataset.state = "failed";
+  else if (!editor.error) say(error.message);
 }
 
 editor.addEventListener("load", showDocument);

@@ -2,14 +2,14 @@
 import assert from "node:assert/strict";
 import { after, before, beforeEach, test } from "node:test";
 import { call, distance, launch, layoutOf, lineOf, openPage, pictureBox, recordEvents, screenshot, settle, takeEvents, valueOf } from "./support/page.mjs";
-import { colourStatistics, decodePng } from "./support/png.mjs";
+import { colourStatistics, decodePng, pixelAt } from "./support/png.mjs";
 
 const kWidth = "Width";
 
 let browser, tab, page, defaults;
 before(async () => {
   browser = await launch();
-  tab = await openPage(browser, { touch: true });
+  tab = await openPage(browser, { width: 1000, height: 700, touch: true });
   page = tab.page;
   await recordEvents(page);
   defaults = Object.fromEntries((await call(page, "getParameters")).map((p) => [p.name, p.value]));
@@ -115,6 +115,10 @@ test("hovering over an arrow leaves the picture under the lines as it is", async
   const hovered = decodePng(await page.screenshot({ clip: box }));
   let changed = 0;
   for (let i = 0; i < before.pixels.length; i += before.channels) changed += Math.abs(before.pixels[i] - hovered.pixels[i]) > 16 ? 1 : 0;
+  for (const [name, picture] of Object.entries({ before, hovered })) {
+    const [red, green, blue] = pixelAt(picture, 3, 3);
+    assert.ok(Math.min(red, green, blue) > 200, `${name}: the sky is ${[red, green, blue]}`);
+  }
   const share = changed / (before.width * before.height);
   assert.ok(share > 0 && share < 0.03, `${(share * 100).toFixed(1)} % of the pixels changed`);
   await page.mouse.move(box.x + 2, box.y + 2);

@@ -1,0 +1,63 @@
+// web/ as the package that hosts install: it can be imported where there is no DOM, and its core works there.
+import { test } from "node:test";
+import assert from "node:assert/strict";
+import { createCore } from "../../web/core.js";
+
+const url = new URL("../../build/wasm/dimline.js", import.meta.url);
+
+async function openCore(t) {
+  const core = await createCore({ url });
+  t.after(() => core.dispose());
+  core.resize(1000, 800, 1);
+  core.setModel("house");
+  return core;
+}
+
+function settle(core) {
+  for (let frame = 0; core.frame(frame * 16) || !core.atRest; ++frame) assert.ok(frame < 1000, "the core comes to rest");
+}
+
+test("the element's module can be imported, and there is no element", async () => {
+  const { DimlineEditor } = await import("../../web/dimline_editor.js");
+  assert.equal(typeof DimlineEditor, "function");
+  assert.equal(globalThis.customElements, undefined);
+});
+
+test("a core lays out the house, and forgets everything when it is disposed of", async (t) => {
+  const core = await openCore(t);
+  settle(core);
+  const width = core.parameters().find((p) => p.name === "Width").value;
+  assert.equal(core.layout().lines.find((line) => line.parameter === "Width").value, width);
+  core.dispose();
+  assert.throws(() => core.layout());
+  core.dispose(); // once more does nothing
+});
+
+test("what goes wrong in the core is an Error with its sentence", async (t) => {
+  const core = await openCore(t);
+  assert.throws(() => core.setModel("castle"), /castle/);
+  assert.throws(() => core.setParameters({ Wdith: 9 }), /Wdith/);
+  assert.throws(() => core.setParameters({ Width: NaN }), /Width/);
+  assert.throws(() => core.setParameterContinuous("Width", undefined), /Width/);
+  assert.throws(() => core.setParameters([9]), /object/);
+  assert.throws(() => core.setCamera("front"), /camera/i);
+  assert.throws(() => core.setStandardView("inside"), /inside/);
+  assert.throws(() => core.setGltf("x.glb", "not bytes", {}), /Uint8Array/);
+});
+
+test("two cores are two documents", async (t) => {
+  const [a, b] = [await openCore(t), await openCore(t)];
+  const widthOf = (core) => core.parameters().find((p) => p.name === "Width").value;
+  const before = widthOf(b);
+  a.setParameters({ Width: before + 1 });
+  assert.equal(widthOf(a), before + 1);
+  assert.equal(widthOf(b), before);
+  a.undo();
+  assert.equal(widthOf(a), before);
+  assert.ok(a.canRedo && !b.canUndo);
+});
+
+test("a module that is not there is an Error that names it", async () => {
+  await assert.rejects(createCore({ url: new URL("nowhere.js", url) }), /nowhere\.js/);
+  await assert.rejects(createCore({ url: new URL("../../tools/node_reporter.mjs", url) }), /dimline\.wasm|core/);
+});
