@@ -27,9 +27,12 @@ void fill(const std::array<Vec2, 3>& triangle, CoverageMask& mask) {
         anyLeft = anyLeft || turn < 0;
         anyRight = anyRight || turn > 0;
       }
-      // On a triangle seen edge-on every turn is zero along its whole line; it covers no pixel's centre by more than chance.
+      // On a triangle seen edge-on every turn is zero along its whole line; it covers no pixel's centre by more than
+      // chance.
       const bool inside = anyLeft != anyRight;
-      if (inside) mask.pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(mask.widthPx) + static_cast<std::size_t>(x)] = 255;
+      if (inside)
+        mask.pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(mask.widthPx) +
+                    static_cast<std::size_t>(x)] = 255;
     }
   }
 }
@@ -44,7 +47,8 @@ void fillBeforeNear(const std::array<Vec3, 3>& world, const View& view, Coverage
     const double beyondA = view.depth(a) - view.nearM();
     const double beyondB = view.depth(b) - view.nearM();
     if (beyondA >= 0) screen[count++] = view.toScreen(a);
-    if ((beyondA >= 0) != (beyondB >= 0)) screen[count++] = view.toScreen(a + (b - a) * (beyondA / (beyondA - beyondB)));
+    if ((beyondA >= 0) != (beyondB >= 0))
+      screen[count++] = view.toScreen(a + (b - a) * (beyondA / (beyondA - beyondB)));
   }
   for (std::size_t i = 2; i < count; ++i) fill({screen[0], screen[i - 1], screen[i]}, mask);
 }
@@ -83,7 +87,8 @@ void fieldsFromMask(const CoverageMask& mask, DistanceFields& fields) {
   measure(fields[ViewportEdge::kLeft], width, [&](int row, int away) { return mask.covered(away, row); });
   measure(fields[ViewportEdge::kRight], width, [&](int row, int away) { return mask.covered(width - 1 - away, row); });
   measure(fields[ViewportEdge::kTop], height, [&](int column, int away) { return mask.covered(column, away); });
-  measure(fields[ViewportEdge::kBottom], height, [&](int column, int away) { return mask.covered(column, height - 1 - away); });
+  measure(fields[ViewportEdge::kBottom], height,
+          [&](int column, int away) { return mask.covered(column, height - 1 - away); });
   fields.buildTrees();
 }
 

@@ -19,8 +19,9 @@ struct CoverageMask {
   }
 };
 
-/// Fills every triangle that `view` shows, tested at pixel centres, cut at the near plane. Slow and plainly right: the command line writes it as
-/// masks, and tests measure the field producers against it, so it shares no code with them.
+/// Fills every triangle that `view` shows, tested at pixel centres, cut at the near plane. Slow and plainly right:
+/// the command line writes it as masks, and tests measure the field producers against it, so it shares no code with
+/// them.
 CoverageMask coverageMask(const Scene& scene, const View& view);
 
 /// The fields that a mask's pixels give: from each edge to the outer side of the first covered pixel.

@@ -1,20 +1,27 @@
-// Why scanning some edges is enough. Let S be what the view shows of the model on screen: the union of all projected triangles, cut
-// at the near plane, within the viewport. A field's value at a strip is an extreme of S over that strip, and S is closed, so the extreme is
-// attained at a point on the border of S. Such a point lies on one of these:
+// Why scanning some edges is enough. Let S be what the view shows of the model on screen: the union of all projected
+// triangles, cut at the near plane, within the viewport. A field's value at a strip is an extreme of S over that
+// strip, and S is closed, so the extreme is attained at a point on the border of S. Such a point lies on one of
+// these:
 //
-//  1. An edge between a facet that faces the viewer and one that does not, or an edge of one that is seen edge-on, or an edge that has not just
-//     two facets which agree. For take any other edge: its two facets face the same way, so on screen they lie on either side of it, and all
-//     around each of its points is covered; the same holds around a vertex at which there are only such edges.
+//  1. An edge between a facet that faces the viewer and one that does not, or an edge of one that is seen edge-on, or an
+//     edge that has not just two facets which agree. For take any other edge: its two facets face the same way, so on
+//     screen they lie on either side of it, and all around each of its points is covered; the same holds around a
+//     vertex at which there are only such edges.
 //  2. The cut of a facet with the near plane: there the facet ends without an edge of its own.
-//  3. The viewport's own border, where a facet runs across it. There S ends without an edge, too. A facet's part of a side of the viewport
-//     is a segment, and scanning it sets that side's field to 0 over its length.
+//  3. The viewport's own border, where a facet runs across it. There S ends without an edge, too. A facet's part of a
+//     side of the viewport is a segment, and scanning it sets that side's field to 0 over its length.
 //
-// Everything that is scanned belongs to S: to scan an edge too many costs time, and changes nothing. So whether a face is seen from in
-// front is decided generously: within rounding of edge-on counts as edge-on, and its edges are scanned.
+// Everything that is scanned belongs to S: to scan an edge too many costs time, and changes nothing. So whether a
+// face is seen from in front is decided generously: within rounding of edge-on counts as edge-on, and its edges are
+// scanned.
 //
-// Facing is one plane evaluation a facet, at the viewer's position in the mesh's own frame; only the ends of edges that are scanned are projected.
-// That is all for an instance whose box lies in the viewport and before the near plane. The others have all their vertices projected, to find
-// what crosses the viewport's sides and the near plane.
+// Facing is one plane evaluation a facet, at the viewer's position in the mesh's own frame; only the ends of edges
+// that are scanned are projected. That is all for a part whose box lies in the viewport and before the near plane.
+// The others have all their vertices projected, to find what crosses the viewport's sides and the near plane.
+//
+// Most parts of a model lie in front of, behind or between others, and cannot change a field. So the parts are taken
+// from the outside in, and one whose box on screen is nowhere nearer to the viewport's edges than what is known
+// already is passed over. That is exact: the fields do not depend on the order.
 
 #include "silhouette/cpu_fields.h"
 
@@ -22,6 +29,7 @@
 
 #include "silhouette/edge_mesh.h"
 #include "silhouette/float4.h"
+#include "silhouette/mesh_projection.h"
 #include "silhouette/strip_scan.h"
 
 namespace dimline {
@@ -31,104 +39,34 @@ namespace {
 /// Relative error that float arithmetic may leave in a facet's plane evaluated at the viewer, with room to spare.
 constexpr float kFacingError = 1e-6F;
 
+/// Steps into which "how far out" is divided to order the parts.
+constexpr std::size_t kOrderSteps = 64;
+
 enum Facing : std::uint8_t { kEdgeOn = 0, kTowards = 1, kAway = 2 };
 
-/// The sides of what is shown that a point lies beyond, as bits.
-enum Beyond : std::uint8_t { kBeyondLeft = 1, kBeyondRight = 2, kBeyondTop = 4, kBeyondBottom = 8, kBeyondNear = 16 };
-
-/// From a mesh's frame (relative to its centre) to the screen.
-struct Projection {
-  glm::dmat4x3 toPixels{1.0};   ///< homogeneous pixels
-  Vec4 beforeNear{0.0};         ///< . (p, 1) = how far p lies beyond the near plane, seen from the viewer (m)
-  Vec4 viewer{0.0};             ///< the viewer, homogeneous, in the mesh's frame; its sign is arbitrary
-
-  [[nodiscard]] Vec2 toScreen(const glm::vec3& p) const {
-    const Vec3 h = toPixels * Vec4(Vec3(p), 1.0);
-    return Vec2(h.x, h.y) / h.z;
-  }
+/// An instance of the scene.
+struct Placed {
+  std::uint32_t mesh;
+  Mat4 toWorld;  ///< from the mesh's frame relative to its centre
 };
 
-/// The one point that a 3x4 projection sends to (0, 0, 0), by cofactors: also right for parallel projection and for flattened meshes.
-Vec4 centerOfProjection(const glm::dmat4x3& m) {
-  const auto minor = [&](int a, int b, int c) { return glm::dot(m[a], glm::cross(m[b], m[c])); };
-  return {minor(1, 2, 3), -minor(0, 2, 3), minor(0, 1, 3), -minor(0, 1, 2)};
-}
-
-Projection project(const View& view, const Instance& instance, const EdgeMesh& mesh) {
-  Mat4 toWorld(instance.transform);
-  toWorld[3] = toWorld * Vec4(mesh.center, 1.0);
-  Projection projection;
-  projection.toPixels = view.worldToPixels() * toWorld;
-  const Vec3& forward = view.forward();
-  const Vec4 nearPlane(forward, -glm::dot(forward, view.camera().eye) - view.nearM());
-  projection.beforeNear = nearPlane * toWorld;
-  projection.viewer = centerOfProjection(projection.toPixels);
-  return projection;
-}
-
-/// A vertex in front of the cut at the near plane, and after it.
-struct Projected {
-  Vec3 pixel;          ///< homogeneous
-  double beforeNear;   ///< m
-  std::uint8_t beyond;
+/// A part of an instance that may be seen in this frame.
+struct Seen {
+  std::uint32_t instance;
+  std::uint32_t part;
+  BoxOnScreen box;
 };
 
-}  // namespace
-
-struct CpuFields::Prepared {
-  std::vector<EdgeMesh> meshes;
-  std::vector<Instance> instances;
-
-  // Scratch, as large as the largest mesh needs.
-  std::vector<std::uint8_t> facing;
-  std::vector<std::uint32_t> silhouette;
-  std::vector<Projected> projected;
-
-  void findSilhouette(const EdgeMesh& mesh, const Projection& projection);
-  void scanInside(const EdgeMesh& mesh, const Projection& projection, StripScan& scan) const;
-  void scanCut(const EdgeMesh& mesh, const Projection& projection, StripScan& scan);
-};
-
-namespace {
-
-/// Which sides all of the mesh's box lies beyond, and which some of it does.
-struct BoxBeyond {
-  std::uint8_t all = 0xFF;
-  std::uint8_t any = 0;
-};
-
-Projected projectVertex(const Projection& projection, const Vec3& p, double widthPx, double heightPx) {
-  Projected v{projection.toPixels * Vec4(p, 1.0), glm::dot(projection.beforeNear, Vec4(p, 1.0)), 0};
-  // Each side is a plane through the viewer, so these tests hold behind the viewer as well.
-  if (v.pixel.x < 0) v.beyond |= kBeyondLeft;
-  if (v.pixel.x > widthPx * v.pixel.z) v.beyond |= kBeyondRight;
-  if (v.pixel.y < 0) v.beyond |= kBeyondTop;
-  if (v.pixel.y > heightPx * v.pixel.z) v.beyond |= kBeyondBottom;
-  if (v.beforeNear < 0) v.beyond |= kBeyondNear;
-  return v;
-}
-
-BoxBeyond boxBeyond(const EdgeMesh& mesh, const Projection& projection, double widthPx, double heightPx) {
-  BoxBeyond beyond;
-  for (int i = 0; i < 8; ++i) {
-    const Vec3 sign((i & 1) != 0 ? 1 : -1, (i & 2) != 0 ? 1 : -1, (i & 4) != 0 ? 1 : -1);
-    const std::uint8_t corner = projectVertex(projection, mesh.halfSize * sign, widthPx, heightPx).beyond;
-    beyond.all &= corner;
-    beyond.any |= corner;
-  }
-  return beyond;
-}
+Vec2 onScreen(const ProjectedVertex& v) { return Vec2(v.pixel.x, v.pixel.y) / v.pixel.z; }
 
 /// Where the segment between two vertices passes the near plane, on screen.
-Vec2 cutAtNear(const Projected& a, const Projected& b) {
+Vec2 cutAtNear(const ProjectedVertex& a, const ProjectedVertex& b) {
   const Vec3 h = a.pixel + (b.pixel - a.pixel) * (a.beforeNear / (a.beforeNear - b.beforeNear));
   return Vec2(h.x, h.y) / h.z;
 }
 
-Vec2 onScreen(const Projected& v) { return Vec2(v.pixel.x, v.pixel.y) / v.pixel.z; }
-
 /// Scans an edge, cut at the near plane and at the viewport's sides.
-void scanCutEdge(const Projected& a, const Projected& b, StripScan& scan) {
+void scanCutEdge(const ProjectedVertex& a, const ProjectedVertex& b, StripScan& scan) {
   if ((a.beyond & b.beyond) != 0) return;
   const bool cutA = (a.beyond & kBeyondNear) != 0;
   const bool cutB = (b.beyond & kBeyondNear) != 0;
@@ -164,15 +102,16 @@ void scanStretch(const ScreenPolygon& polygon, int axis, double at, StripScan& s
   }
 }
 
-/// Scans what a triangle that is not wholly in view adds besides its edges: its cut with the near plane, its stretches on the viewport's sides.
-void scanCutTriangle(const Projected& a, const Projected& b, const Projected& c, StripScan& scan) {
-  const std::array<const Projected*, 3> corners{&a, &b, &c};
+/// Scans what a triangle that is not wholly in view adds besides its edges: its cut with the near plane, its
+/// stretches on the viewport's sides.
+void scanCutTriangle(const ProjectedVertex& a, const ProjectedVertex& b, const ProjectedVertex& c, StripScan& scan) {
+  const std::array<const ProjectedVertex*, 3> corners{&a, &b, &c};
   ScreenPolygon polygon;
   std::array<Vec2, 2> nearCut;
   std::size_t nearCuts = 0;
   for (std::size_t i = 0; i < 3; ++i) {
-    const Projected& from = *corners[i];
-    const Projected& to = *corners[(i + 1) % 3];
+    const ProjectedVertex& from = *corners[i];
+    const ProjectedVertex& to = *corners[(i + 1) % 3];
     const bool fromShown = (from.beyond & kBeyondNear) == 0;
     if (fromShown) polygon.corners[polygon.count++] = onScreen(from);
     if (fromShown != ((to.beyond & kBeyondNear) == 0)) {
@@ -180,50 +119,123 @@ void scanCutTriangle(const Projected& a, const Projected& b, const Projected& c,
     }
   }
   if (nearCuts == 2) scan.scan(nearCut[0], nearCut[1]);
-  scanStretch(polygon, 0, 0.0, scan);
-  scanStretch(polygon, 0, scan.widthPx(), scan);
-  scanStretch(polygon, 1, 0.0, scan);
-  scanStretch(polygon, 1, scan.heightPx(), scan);
+  const std::uint8_t any = a.beyond | b.beyond | c.beyond;
+  if ((any & (kBeyondLeft | kBeyondNear)) != 0) scanStretch(polygon, 0, 0.0, scan);
+  if ((any & (kBeyondRight | kBeyondNear)) != 0) scanStretch(polygon, 0, scan.widthPx(), scan);
+  if ((any & (kBeyondTop | kBeyondNear)) != 0) scanStretch(polygon, 1, 0.0, scan);
+  if ((any & (kBeyondBottom | kBeyondNear)) != 0) scanStretch(polygon, 1, scan.heightPx(), scan);
 }
 
 }  // namespace
 
-void CpuFields::Prepared::findSilhouette(const EdgeMesh& mesh, const Projection& projection) {
-  // Scaled so that its greatest component is 1: the projection's scale would take the sums out of a float's range.
-  const Vec4 viewer = projection.viewer;
-  const double greatest = std::max({std::abs(viewer.x), std::abs(viewer.y), std::abs(viewer.z), std::abs(viewer.w)});
-  const glm::vec4 v = greatest > 0 ? glm::vec4(viewer / greatest) : glm::vec4(0.0F);
-  const float error = kFacingError * (glm::length(glm::vec3(v)) + static_cast<float>(mesh.radiusM) * std::abs(v.w));
-  const std::size_t padded = mesh.normalX.size();
-  for (std::size_t i = 0; i < padded; i += 4) {
-    const Float4 side = load4(&mesh.normalX[i]) * v.x + load4(&mesh.normalY[i]) * v.y + load4(&mesh.normalZ[i]) * v.z + load4(&mesh.offset[i]) * v.w;
-    for (std::size_t lane = 0; lane < 4; ++lane) {
-      facing[i + lane] = static_cast<std::uint8_t>((side[lane] > error ? kTowards : 0) | (side[lane] < -error ? kAway : 0));
+struct CpuFields::Prepared {
+  std::vector<EdgeMesh> meshes;
+  std::vector<Placed> instances;
+
+  // Scratch, as large as the scene can need.
+  std::vector<MeshProjection> projections;  ///< one an instance
+  std::vector<Seen> seen;
+  std::vector<std::uint32_t> order;       ///< indices into `seen`, from the outside in
+  std::vector<std::uint8_t> facing;       ///< one a facet of the mesh at hand; those before kFirstFacet stay edge-on
+  std::vector<std::uint32_t> silhouette;  ///< edges of the part at hand, in the first silhouetteCount places
+  std::size_t silhouetteCount = 0;
+  std::vector<ProjectedVertex> projected;  ///< one a vertex of the mesh at hand
+
+  void lookForParts(const View& view, const StripScan& scan);
+  void orderParts(const StripScan& scan);
+  void findSilhouette(const EdgeMesh& mesh, const EdgeMesh::Part& part, const MeshProjection& projection);
+  void scanInside(const EdgeMesh& mesh, const MeshProjection& projection, StripScan& scan) const;
+  void scanCut(const EdgeMesh& mesh, const EdgeMesh::Part& part, const MeshProjection& projection, StripScan& scan);
+};
+
+/// Projects the instances, and lists the parts that may be seen.
+void CpuFields::Prepared::lookForParts(const View& view, const StripScan& scan) {
+  seen.clear();
+  for (std::uint32_t i = 0; i < instances.size(); ++i) {
+    projections[i] = MeshProjection(view, instances[i].toWorld, scan.widthPx(), scan.heightPx());
+    const std::vector<EdgeMesh::Part>& parts = meshes[instances[i].mesh].parts;
+    for (std::uint32_t p = 0; p < parts.size(); ++p) {
+      const BoxOnScreen box = projections[i].look(parts[p]);
+      if (box.allBeyond == 0) seen.push_back({i, p, box});
     }
   }
-  silhouette.clear();
-  for (std::uint32_t i = 0; i < mesh.edges.size(); ++i) {
+}
+
+/// Orders the parts by how far out their boxes reach, roughly: the farthest first, and before them those that reach
+/// behind the near plane.
+void CpuFields::Prepared::orderParts(const StripScan& scan) {
+  const auto width = static_cast<float>(scan.widthPx());
+  const auto height = static_cast<float>(scan.heightPx());
+  float left = width;
+  float right = 0;
+  float top = height;
+  float bottom = 0;
+  for (const Seen& part : seen) {
+    if ((part.box.anyBeyond & kBeyondNear) != 0) continue;
+    left = std::min(left, part.box.left);
+    right = std::max(right, part.box.right);
+    top = std::min(top, part.box.top);
+    bottom = std::max(bottom, part.box.bottom);
+  }
+  left = std::max(left, 0.0F);
+  right = std::min(right, width);
+  top = std::max(top, 0.0F);
+  bottom = std::min(bottom, height);
+  const auto stepOf = [&](const Seen& part) -> std::size_t {
+    if ((part.box.anyBeyond & kBeyondNear) != 0) return 0;
+    // 0 where it reaches as far as anything does on some side.
+    const float across = std::min(part.box.left - left, right - part.box.right) / std::max(right - left, 1.0F);
+    const float down = std::min(part.box.top - top, bottom - part.box.bottom) / std::max(bottom - top, 1.0F);
+    const float in = std::clamp(2 * std::min(across, down), 0.0F, 0.999F);
+    return static_cast<std::size_t>(in * static_cast<float>(kOrderSteps));
+  };
+  std::array<std::uint32_t, kOrderSteps + 1> begin{};
+  for (const Seen& part : seen) ++begin[stepOf(part) + 1];
+  for (std::size_t i = 1; i < begin.size(); ++i) begin[i] += begin[i - 1];
+  order.resize(seen.size());
+  for (std::uint32_t i = 0; i < seen.size(); ++i) order[begin[stepOf(seen[i])]++] = i;
+}
+
+void CpuFields::Prepared::findSilhouette(const EdgeMesh& mesh, const EdgeMesh::Part& part,
+                                         const MeshProjection& projection) {
+  const glm::vec4 v = projection.viewer();
+  const float error = kFacingError * (glm::length(glm::vec3(v)) + static_cast<float>(mesh.radiusM) * std::abs(v.w));
+  for (std::uint32_t i = part.facets.first; i < part.facets.end; i += 4) {
+    const Float4 side = load4(&mesh.normalX[i]) * v.x + load4(&mesh.normalY[i]) * v.y + load4(&mesh.normalZ[i]) * v.z +
+                        load4(&mesh.offset[i]) * v.w;
+    const unsigned towards = lanesOf(side > splat4(error));
+    const unsigned away = lanesOf(side < splat4(-error));
+    for (unsigned lane = 0; lane < 4; ++lane) {
+      facing[i + lane] = static_cast<std::uint8_t>((towards >> lane & 1U) * kTowards | (away >> lane & 1U) * kAway);
+    }
+  }
+  // Written to at every edge, kept only where it is one: no branch to guess wrong.
+  std::uint32_t* next = silhouette.data();
+  for (std::uint32_t i = part.edges.first; i < part.edges.end; ++i) {
     const EdgeMesh::Edge& edge = mesh.edges[i];
-    if ((facing[edge.facetA] & facing[edge.facetB]) == 0) silhouette.push_back(i);
+    *next = i;
+    next += (facing[edge.facetA] & facing[edge.facetB]) == 0 ? 1 : 0;
+  }
+  silhouetteCount = static_cast<std::size_t>(next - silhouette.data());
+}
+
+void CpuFields::Prepared::scanInside(const EdgeMesh& mesh, const MeshProjection& projection, StripScan& scan) const {
+  for (std::size_t i = 0; i < silhouetteCount; ++i) {
+    const EdgeMesh::Edge& edge = mesh.edges[silhouette[i]];
+    scan.scanInside(projection.toScreen(mesh.positions[edge.a]), projection.toScreen(mesh.positions[edge.b]));
   }
 }
 
-void CpuFields::Prepared::scanInside(const EdgeMesh& mesh, const Projection& projection, StripScan& scan) const {
-  for (const std::uint32_t index : silhouette) {
-    const EdgeMesh::Edge& edge = mesh.edges[index];
-    scan.scan(projection.toScreen(mesh.positions[edge.a]), projection.toScreen(mesh.positions[edge.b]));
-  }
-}
-
-void CpuFields::Prepared::scanCut(const EdgeMesh& mesh, const Projection& projection, StripScan& scan) {
-  for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
-    projected[i] = projectVertex(projection, Vec3(mesh.positions[i]), scan.widthPx(), scan.heightPx());
-  }
-  for (const std::uint32_t index : silhouette) {
-    const EdgeMesh::Edge& edge = mesh.edges[index];
+void CpuFields::Prepared::scanCut(const EdgeMesh& mesh, const EdgeMesh::Part& part, const MeshProjection& projection,
+                                  StripScan& scan) {
+  for (std::uint32_t i = part.vertices.first; i < part.vertices.end; ++i)
+    projected[i] = projection.project(Vec3(mesh.positions[i]));
+  for (std::size_t i = 0; i < silhouetteCount; ++i) {
+    const EdgeMesh::Edge& edge = mesh.edges[silhouette[i]];
     scanCutEdge(projected[edge.a], projected[edge.b], scan);
   }
-  for (const auto& [a, b, c] : mesh.triangles) {
+  for (std::uint32_t i = part.triangles.first; i < part.triangles.end; ++i) {
+    const auto& [a, b, c] = mesh.triangles[i];
     const std::uint8_t all = projected[a].beyond & projected[b].beyond & projected[c].beyond;
     const std::uint8_t any = projected[a].beyond | projected[b].beyond | projected[c].beyond;
     if (any != 0 && all == 0) scanCutTriangle(projected[a], projected[b], projected[c], scan);
@@ -236,37 +248,53 @@ CpuFields::CpuFields(CpuFields&&) noexcept = default;
 CpuFields& CpuFields::operator=(CpuFields&&) noexcept = default;
 
 void CpuFields::setScene(const Scene& scene) {
-  prepared_->meshes.clear();
+  Prepared& p = *prepared_;
+  p.meshes.clear();
   std::size_t vertices = 0;
-  std::size_t facets = 0;
+  std::size_t facets = EdgeMesh::kFirstFacet;
   std::size_t edges = 0;
   for (const Mesh& mesh : scene.meshes) {
-    prepared_->meshes.push_back(makeEdgeMesh(mesh));
-    const EdgeMesh& made = prepared_->meshes.back();
+    const EdgeMesh& made = p.meshes.emplace_back(makeEdgeMesh(mesh));
     vertices = std::max(vertices, made.positions.size());
-    facets = std::max(facets, made.normalX.size());
-    edges = std::max(edges, made.edges.size());
+    facets = std::max(facets, made.offset.size());
+    for (const EdgeMesh::Part& part : made.parts) edges = std::max<std::size_t>(edges, part.edges.size());
   }
-  prepared_->instances = scene.instances;
-  prepared_->facing.resize(facets);
-  prepared_->silhouette.reserve(edges);
-  prepared_->projected.resize(vertices);
+  p.instances.clear();
+  std::size_t parts = 0;
+  for (const Instance& instance : scene.instances) {
+    const EdgeMesh& mesh = p.meshes[instance.mesh];
+    Mat4 toWorld(instance.transform);
+    toWorld[3] = toWorld * Vec4(mesh.center, 1.0);
+    p.instances.push_back({instance.mesh, toWorld});
+    parts += mesh.parts.size();
+  }
+  p.projections.resize(p.instances.size());
+  p.seen.reserve(parts);
+  p.order.reserve(parts);
+  p.facing.assign(facets, kEdgeOn);
+  p.silhouette.resize(edges + 1);
+  p.projected.resize(vertices);
 }
 
 void CpuFields::produce(const View& view, DistanceFields& fields) {
   fields.reset(static_cast<int>(std::ceil(view.widthPx())), static_cast<int>(std::ceil(view.heightPx())));
   StripScan scan(fields);
-  for (const Instance& instance : prepared_->instances) {
-    const EdgeMesh& mesh = prepared_->meshes[instance.mesh];
-    if (mesh.triangles.empty()) continue;
-    const Projection projection = project(view, instance, mesh);
-    const BoxBeyond beyond = boxBeyond(mesh, projection, scan.widthPx(), scan.heightPx());
-    if (beyond.all != 0) continue;
-    prepared_->findSilhouette(mesh, projection);
-    if (beyond.any == 0) {
-      prepared_->scanInside(mesh, projection, scan);
+  Prepared& p = *prepared_;
+  p.lookForParts(view, scan);
+  p.orderParts(scan);
+  for (const std::uint32_t index : p.order) {
+    const Seen& seen = p.seen[index];
+    const BoxOnScreen& box = seen.box;
+    const bool cutByNear = (box.anyBeyond & kBeyondNear) != 0;
+    if (!cutByNear && scan.knows(box.left, box.right, box.top, box.bottom)) continue;
+    const EdgeMesh& mesh = p.meshes[p.instances[seen.instance].mesh];
+    const EdgeMesh::Part& part = mesh.parts[seen.part];
+    const MeshProjection& projection = p.projections[seen.instance];
+    p.findSilhouette(mesh, part, projection);
+    if (box.anyBeyond == 0) {
+      p.scanInside(mesh, projection, scan);
     } else {
-      prepared_->scanCut(mesh, projection, scan);
+      p.scanCut(mesh, part, projection, scan);
     }
   }
   fields.buildTrees();

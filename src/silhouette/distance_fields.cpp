@@ -20,15 +20,20 @@ struct EdgePoint {
 
 EdgePoint seenFrom(ViewportEdge edge, const DistanceFields& fields, const Vec2& p) {
   switch (edge) {
-    case ViewportEdge::kLeft: return {p.y, p.x};
-    case ViewportEdge::kRight: return {p.y, fields.widthPx - p.x};
-    case ViewportEdge::kTop: return {p.x, p.y};
-    case ViewportEdge::kBottom: return {p.x, fields.heightPx - p.y};
+    case ViewportEdge::kLeft:
+      return {p.y, p.x};
+    case ViewportEdge::kRight:
+      return {p.y, fields.widthPx - p.x};
+    case ViewportEdge::kTop:
+      return {p.x, p.y};
+    case ViewportEdge::kBottom:
+      return {p.x, fields.heightPx - p.y};
   }
   return {};
 }
 
-/// The strips that [low, high] along an edge has more than a touch in common with; one at least. The range lies in the field.
+/// The strips that [low, high] along an edge has more than a touch in common with; one at least. The range lies in
+/// the field.
 struct Strips {
   std::size_t first;
   std::size_t last;
@@ -43,7 +48,7 @@ Strips stripsOf(const DistanceField& field, double low, double high) {
 
 /// Whether a segment stays between its viewport edge and the field, by descending where the tree leaves that open.
 class SegmentTest {
- public:
+public:
   SegmentTest(const DistanceField& field, EdgePoint a, EdgePoint b) : field_(field), from_(a), to_(b) {
     if (from_.along > to_.along) std::swap(from_, to_);
     const double run = to_.along - from_.along;
@@ -53,7 +58,7 @@ class SegmentTest {
 
   [[nodiscard]] bool clear() const { return clear(1, 0, field_.leafCount()); }
 
- private:
+private:
   /// The segment's distance from the viewport edge at a place along it, its own ends being exact.
   [[nodiscard]] double awayAt(double along) const {
     if (along <= from_.along) return from_.away;
@@ -139,8 +144,10 @@ void DistanceFields::reset(int width, int height) {
   assert(width >= 1 && height >= 1);
   widthPx = width;
   heightPx = height;
-  for (const ViewportEdge edge : {ViewportEdge::kLeft, ViewportEdge::kRight}) (*this)[edge].reset(static_cast<std::size_t>(height));
-  for (const ViewportEdge edge : {ViewportEdge::kTop, ViewportEdge::kBottom}) (*this)[edge].reset(static_cast<std::size_t>(width));
+  for (const ViewportEdge edge : {ViewportEdge::kLeft, ViewportEdge::kRight})
+    (*this)[edge].reset(static_cast<std::size_t>(height));
+  for (const ViewportEdge edge : {ViewportEdge::kTop, ViewportEdge::kBottom})
+    (*this)[edge].reset(static_cast<std::size_t>(width));
 }
 
 void DistanceFields::buildTrees() {
@@ -161,7 +168,8 @@ bool clears(const DistanceFields& fields, const Box2& box) {
 bool clears(const DistanceFields& fields, const Segment2& segment) {
   if (!inViewport(fields, segment.start) || !inViewport(fields, segment.end)) return false;
   for (const ViewportEdge edge : kViewportEdges) {
-    if (SegmentTest(fields[edge], seenFrom(edge, fields, segment.start), seenFrom(edge, fields, segment.end)).clear()) return true;
+    if (SegmentTest(fields[edge], seenFrom(edge, fields, segment.start), seenFrom(edge, fields, segment.end)).clear())
+      return true;
   }
   return false;
 }

@@ -14,15 +14,15 @@ namespace dimline {
 
 /// The viewport edge from which a field measures (paper 4.1 and figure 11).
 enum class ViewportEdge : std::uint8_t { kLeft, kRight, kTop, kBottom };
-inline constexpr std::array<ViewportEdge, 4> kViewportEdges{ViewportEdge::kLeft, ViewportEdge::kRight, ViewportEdge::kTop,
-                                                            ViewportEdge::kBottom};
+inline constexpr std::array<ViewportEdge, 4> kViewportEdges{ViewportEdge::kLeft, ViewportEdge::kRight,
+                                                            ViewportEdge::kTop, ViewportEdge::kBottom};
 
 /// A strip (row or column) in which no silhouette is seen.
 inline constexpr float kNoSilhouette = std::numeric_limits<float>::infinity();
 
-/// One 1-D distance field: for each one-pixel strip at right angles to a viewport edge, the distance (CSS px) from that edge to what
-/// is first met. Strip i covers [i, i+1) along the edge, counted from the left or from the top. Over the strips stands a binary
-/// tree with the least and greatest value of each subtree (paper 4.1).
+/// One 1-D distance field: for each one-pixel strip at right angles to a viewport edge, the distance (CSS px) from
+/// that edge to what is first met. Strip i covers [i, i+1) along the edge, counted from the left or from the top.
+/// Over the strips stands a binary tree with the least and greatest value of each subtree (paper 4.1).
 ///
 ///     kLeft:   strip i is row i      blocked where x >= value
 ///     kRight:  strip i is row i      blocked where x <= width - value
@@ -31,7 +31,7 @@ inline constexpr float kNoSilhouette = std::numeric_limits<float>::infinity();
 ///
 /// Values are in [0, extent] from a producer, kNoSilhouette where the strip is empty; a padded field may be below 0.
 class DistanceField {
- public:
+public:
   /// `strips` strips, all empty. Allocates only when growing.
   void reset(std::size_t strips);
 
@@ -40,15 +40,18 @@ class DistanceField {
   /// Three more floats after the last may be read (kNoSilhouette), so that a loop can take four at a time.
   [[nodiscard]] std::span<const float> values() const { return {values_.data(), size_}; }
 
-  /// Writable values; the tree is stale until buildTree(), or mendTree() when only the strips [first, last] were written.
+  /// Writable values; the tree is stale until buildTree(), or mendTree() when only the strips [first, last] were
+  /// written.
   [[nodiscard]] std::span<float> edit() { return {values_.data(), size_}; }
   void buildTree();
   void mendTree(std::size_t first, std::size_t last);
 
-  /// Pulls the strips [first, last] in to at most value(i), where `value` gives a strip's distance, and mends the tree above them.
+  /// Pulls the strips [first, last] in to at most value(i), where `value` gives a strip's distance, and mends the
+  /// tree above them.
   template <typename ValueOfStrip>
   void pullIn(std::size_t first, std::size_t last, ValueOfStrip value) {
-    for (std::size_t i = first; i <= last && i < size_; ++i) values_[i] = std::min(values_[i], static_cast<float>(value(i)));
+    for (std::size_t i = first; i <= last && i < size_; ++i)
+      values_[i] = std::min(values_[i], static_cast<float>(value(i)));
     mendTree(first, last);
   }
 
@@ -56,8 +59,9 @@ class DistanceField {
   [[nodiscard]] float min(std::size_t first, std::size_t last) const;
   [[nodiscard]] float max(std::size_t first, std::size_t last) const;
 
-  /// The tree itself, for queries that descend: node 1 is the root, node n has children 2n and 2n+1, and the leaves are the strips,
-  /// padded to leafCount() (a power of two, 16 at least) by empty ones. Levels follow each other in memory, so that a query may also sweep one.
+  /// The tree itself, for queries that descend: node 1 is the root, node n has children 2n and 2n+1, and the leaves
+  /// are the strips, padded to leafCount() (a power of two, 16 at least) by empty ones. Levels follow each other in
+  /// memory, so that a query may also sweep one.
   struct Range {
     float min = kNoSilhouette;
     float max = kNoSilhouette;
@@ -65,7 +69,7 @@ class DistanceField {
   [[nodiscard]] std::size_t leafCount() const { return leafCount_; }
   [[nodiscard]] const Range& node(std::size_t index) const { return tree_[index]; }
 
- private:
+private:
   std::size_t size_ = 0;
   std::size_t leafCount_ = 0;
   std::vector<float> values_;
@@ -74,8 +78,8 @@ class DistanceField {
 
 /// The model's silhouette as seen from the four viewport edges.
 struct DistanceFields {
-  int widthPx = 0;    ///< CSS pixels; number of columns
-  int heightPx = 0;   ///< number of rows
+  int widthPx = 0;   ///< CSS pixels; number of columns
+  int heightPx = 0;  ///< number of rows
   std::array<DistanceField, 4> fields;
 
   /// A viewport of that size (>= 1 each) with nothing in it. Fractional viewports are rounded up by the caller.
@@ -83,7 +87,9 @@ struct DistanceFields {
   void buildTrees();
 
   [[nodiscard]] DistanceField& operator[](ViewportEdge edge) { return fields[static_cast<std::size_t>(edge)]; }
-  [[nodiscard]] const DistanceField& operator[](ViewportEdge edge) const { return fields[static_cast<std::size_t>(edge)]; }
+  [[nodiscard]] const DistanceField& operator[](ViewportEdge edge) const {
+    return fields[static_cast<std::size_t>(edge)];
+  }
 
   /// The extent (px) that a field of this edge measures across: width for left and right, height for top and bottom.
   [[nodiscard]] double extentPx(ViewportEdge edge) const {
@@ -91,15 +97,18 @@ struct DistanceFields {
   }
 };
 
-/// The fields of the silhouette grown by `radiusPx` on all sides: a point clears a padded field exactly when it keeps that distance
-/// from everything the field blocks. `padded` is reset and its trees are built; no allocation once it has had this size.
+/// The fields of the silhouette grown by `radiusPx` on all sides: a point clears a padded field exactly when it keeps
+/// that distance from everything the field blocks. `padded` is reset and its trees are built; no allocation once it
+/// has had this size.
 void pad(const DistanceFields& fields, double radiusPx, DistanceFields& padded);
 
-/// Pulls `fields` in by a segment or box on screen grown by `radiusPx`, and mends the trees. What lies outside the viewport is ignored.
+/// Pulls `fields` in by a segment or box on screen grown by `radiusPx`, and mends the trees. What lies outside the
+/// viewport is ignored.
 void pullIn(DistanceFields& fields, const Segment2& segment, double radiusPx);
 void pullIn(DistanceFields& fields, const Box2& box, double radiusPx);
 
-/// Whether a box on screen clears the silhouette: it lies inside the viewport, and between some viewport edge and that edge's field.
+/// Whether a box on screen clears the silhouette: it lies inside the viewport, and between some viewport edge and
+/// that edge's field.
 bool clears(const DistanceFields& fields, const Box2& box);
 
 /// The same for a segment: between some edge and that edge's field all along.

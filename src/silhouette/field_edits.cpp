@@ -1,5 +1,6 @@
-// Growing the silhouette: pad() by a disc on all sides, pullIn() by the shapes that a placed line and its label leave. Both
-// shapes are convex, so over one strip their extreme lies at the strip's nearest place to where the whole shape has it.
+// Growing the silhouette: pad() by a disc on all sides, pullIn() by the shapes that a placed line and its label
+// leave. Both shapes are convex, so over one strip their extreme lies at the strip's nearest place to where the whole
+// shape has it.
 
 #include <cassert>
 #include <cmath>
@@ -40,8 +41,9 @@ struct Line {
   [[nodiscard]] double at(double along) const { return start + slope * (along - from); }
 };
 
-/// One of the two boundaries, the low or the high one, of a convex shape that is a disc rolled along a segment or around a box: an arc around `first`, a
-/// straight piece, an arc around `last`. `sign` is -1 for the low one, +1 for the high one. `peak`: where the boundary is outermost.
+/// One of the two boundaries, the low or the high one, of a convex shape that is a disc rolled along a segment or
+/// around a box: an arc around `first`, a straight piece, an arc around `last`. `sign` is -1 for the low one, +1 for
+/// the high one. `peak`: where the boundary is outermost.
 struct Boundary {
   double sign;
   double radius;
@@ -84,14 +86,17 @@ Shape capsule(Place a, Place b, double radius) {
   const double run = b.along - a.along;
   const double rise = b.across - a.across;
   const double length = std::hypot(run, rise);
-  // The straight sides are the segment moved by the radius at right angles to it; where it runs straight across, they have no length.
+  // The straight sides are the segment moved by the radius at right angles to it; where it runs straight across, they
+  // have no length.
   const double sideAlong = length > 0 ? -rise / length * radius : 0.0;
   const double sideAcross = length > 0 ? run / length * radius : radius;
   const auto boundary = [&](double sign) {
-    const Line straight{a.along + sign * sideAlong, b.along + sign * sideAlong, a.across + sign * sideAcross, run > 0 ? rise / run : 0.0};
+    const Line straight{a.along + sign * sideAlong, b.along + sign * sideAlong, a.across + sign * sideAcross,
+                        run > 0 ? rise / run : 0.0};
     const bool aIsOuter = sign * a.across >= sign * b.across;
     const bool bIsOuter = sign * b.across >= sign * a.across;
-    return Boundary{sign, radius, a.along, a.across, b.along, b.across, straight, {aIsOuter ? a.along : b.along, bIsOuter ? b.along : a.along}};
+    return Boundary{sign,    radius,   a.along,  a.across,
+                    b.along, b.across, straight, {aIsOuter ? a.along : b.along, bIsOuter ? b.along : a.along}};
   };
   return {boundary(-1), boundary(+1)};
 }
@@ -99,15 +104,17 @@ Shape capsule(Place a, Place b, double radius) {
 /// All points within `radius` of a box.
 Shape roundedBox(const Interval& along, const Interval& across, double radius) {
   const auto boundary = [&](double sign, double side) {
-    return Boundary{sign, radius, along.low, side, along.high, side, {along.low, along.high, side + sign * radius, 0.0}, along};
+    return Boundary{sign, radius, along.low, side, along.high, side, {along.low, along.high, side + sign * radius, 0.0},
+                    along};
   };
   return {boundary(-1, across.low), boundary(+1, across.high)};
 }
 
 /// Pulls in the field at the low end of `across` and the one at its high end.
 class PairEdit {
- public:
-  PairEdit(DistanceField& lowField, DistanceField& highField, double extentPx) : lowField_(lowField), highField_(highField), extentPx_(extentPx) {}
+public:
+  PairEdit(DistanceField& lowField, DistanceField& highField, double extentPx)
+      : lowField_(lowField), highField_(highField), extentPx_(extentPx) {}
 
   void apply(const Shape& shape) {
     const double strips = static_cast<double>(lowField_.size());
@@ -119,7 +126,8 @@ class PairEdit {
     // Where both boundaries are straight and inside the viewport over a run of strips, four are done at a time.
     const Interval plain = plainStrips(shape);
     const auto plainFirst = static_cast<std::size_t>(std::clamp(std::ceil(plain.low), first, last + 1));
-    const auto plainEnd = static_cast<std::size_t>(std::clamp(std::floor(plain.high), static_cast<double>(plainFirst), last + 1));
+    const auto plainEnd =
+        static_cast<std::size_t>(std::clamp(std::floor(plain.high), static_cast<double>(plainFirst), last + 1));
     for (; strip < plainFirst; ++strip) one(shape, strip);
     for (; strip + 4 <= plainEnd; strip += 4) four(shape, strip);
     for (; strip < end; ++strip) one(shape, strip);
@@ -127,11 +135,12 @@ class PairEdit {
     highField_.mendTree(static_cast<std::size_t>(first), end - 1);
   }
 
- private:
+private:
   /// The places along between which both boundaries are straight and the shape is inside the viewport across.
   [[nodiscard]] Interval plainStrips(const Shape& shape) const {
-    Interval plain{std::max(shape.low.straight.from, shape.high.straight.from), std::min(shape.low.straight.to, shape.high.straight.to)};
-    const auto keepAbove = [&](const Line& line, double bound, double sign) {   // where sign (line - bound) >= 0
+    Interval plain{std::max(shape.low.straight.from, shape.high.straight.from),
+                   std::min(shape.low.straight.to, shape.high.straight.to)};
+    const auto keepAbove = [&](const Line& line, double bound, double sign) {  // where sign (line - bound) >= 0
       const double atFrom = sign * (line.start - bound);
       const double slope = sign * line.slope;
       if (slope > 0) {
@@ -196,8 +205,10 @@ void pad(const DistanceFields& fields, double radiusPx, DistanceFields& padded) 
 
 void pullIn(DistanceFields& fields, const Segment2& segment, double radiusPx) {
   const auto& [a, b] = segment;
-  PairEdit(fields[ViewportEdge::kLeft], fields[ViewportEdge::kRight], fields.widthPx).apply(capsule({a.y, a.x}, {b.y, b.x}, radiusPx));
-  PairEdit(fields[ViewportEdge::kTop], fields[ViewportEdge::kBottom], fields.heightPx).apply(capsule({a.x, a.y}, {b.x, b.y}, radiusPx));
+  PairEdit(fields[ViewportEdge::kLeft], fields[ViewportEdge::kRight], fields.widthPx)
+      .apply(capsule({a.y, a.x}, {b.y, b.x}, radiusPx));
+  PairEdit(fields[ViewportEdge::kTop], fields[ViewportEdge::kBottom], fields.heightPx)
+      .apply(capsule({a.x, a.y}, {b.x, b.y}, radiusPx));
 }
 
 void pullIn(DistanceFields& fields, const Box2& box, double radiusPx) {
@@ -205,7 +216,8 @@ void pullIn(DistanceFields& fields, const Box2& box, double radiusPx) {
   const Interval x{box.min.x, box.max.x};
   const Interval y{box.min.y, box.max.y};
   PairEdit(fields[ViewportEdge::kLeft], fields[ViewportEdge::kRight], fields.widthPx).apply(roundedBox(y, x, radiusPx));
-  PairEdit(fields[ViewportEdge::kTop], fields[ViewportEdge::kBottom], fields.heightPx).apply(roundedBox(x, y, radiusPx));
+  PairEdit(fields[ViewportEdge::kTop], fields[ViewportEdge::kBottom], fields.heightPx)
+      .apply(roundedBox(x, y, radiusPx));
 }
 
 }  // namespace dimline

@@ -10,9 +10,10 @@
 
 namespace dimline {
 
-/// Four floats that the compiler keeps in one vector register (SSE2 natively, simd128 in wasm); +, -, *, / and comparisons work
-/// lane by lane. A compiler extension that g++ and clang share, so that one source serves both builds; the few things that it
-/// has no good spelling for are functions below, with the machine's own instruction where there is one.
+/// Four floats that the compiler keeps in one vector register (SSE2 natively, simd128 in wasm); +, -, *, / and
+/// comparisons work lane by lane. A compiler extension that g++ and clang share, so that one source serves both
+/// builds; the few things that it has no good spelling for are functions below, with the machine's own instruction
+/// where there is one.
 using Float4 = float __attribute__((vector_size(16)));
 /// What comparing them gives: all bits set where it holds.
 using Int4 = int __attribute__((vector_size(16)));
@@ -32,7 +33,9 @@ inline Float4 splat4(float v) { return Float4{v, v, v, v}; }
 inline Float4 min4(Float4 a, Float4 b) { return _mm_min_ps(a, b); }
 inline Float4 max4(Float4 a, Float4 b) { return _mm_max_ps(a, b); }
 /// One bit a lane: whether the comparison held there.
-inline unsigned lanesOf(Int4 held) { return static_cast<unsigned>(_mm_movemask_ps(_mm_castsi128_ps(reinterpret_cast<__m128i>(held)))); }
+inline unsigned lanesOf(Int4 held) {
+  return static_cast<unsigned>(_mm_movemask_ps(_mm_castsi128_ps(reinterpret_cast<__m128i>(held))));
+}
 #elif defined(__wasm_simd128__)
 inline Float4 min4(Float4 a, Float4 b) {
   return reinterpret_cast<Float4>(wasm_f32x4_pmin(reinterpret_cast<v128_t>(b), reinterpret_cast<v128_t>(a)));

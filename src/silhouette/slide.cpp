@@ -2,19 +2,19 @@
 //
 //     U = uForm . q      V = (wForm - uForm) . q      T = tForm . q      W = U + V = wForm . q
 //
-// and it lies in the wedge between the extension lines exactly when U, V and T are all >= 0. W >= 0 follows; W = 0 is the horizon.
-// Its offset is t = T / W. To ask only for points beyond an offset b, T is replaced by G = T - b W: a point of the wedge
-// lies beyond b exactly when G > 0. So "can this box beat the best offset so far" is three half-planes against a box, without a division.
-// t is a quotient of linear functions, so on a convex polygon that does not pass the horizon it is greatest at a vertex; a strip's box is
-// clipped exactly, in double precision.
+// and it lies in the wedge between the extension lines exactly when U, V and T are all >= 0. W >= 0 follows; W = 0 is
+// the horizon. Its offset is t = T / W. To ask only for points beyond an offset b, T is replaced by G = T - b W: a
+// point of the wedge lies beyond b exactly when G > 0. So "can this box beat the best offset so far" is three
+// half-planes against a box, without a division. t is a quotient of linear functions, so on a convex polygon that
+// does not pass the horizon it is greatest at a vertex; a strip's box is clipped exactly, in double precision.
 //
-// The tree is not walked node by node. Its level of 16 strips a node is swept four nodes at a time, then the strips of those that pass,
-// four at a time: a vector step costs about what a visit to one node does. Two things keep the exact clipping down to a few strips: the
-// most promising one comes first, and what would not raise the best offset by kNegligiblePx on screen is passed over (a line
-// parallel to a flat roof would have all of its strips tie).
+// The tree is not walked node by node. Its level of 16 strips a node is swept four nodes at a time, then the strips
+// of those that pass, four at a time: a vector step costs about what a visit to one node does. Two things keep the
+// exact clipping down to a few strips: the most promising one comes first, and what would not raise the best offset
+// by kNegligiblePx on screen is passed over (a line parallel to a flat roof would have all of its strips tie).
 //
-// Of the four fields, mostly one has the answer. For the others a point of the wedge beyond that answer is tried: when a field blocks it, the
-// field's own answer is greater, and no search is needed.
+// Of the four fields, mostly one has the answer. For the others a point of the wedge beyond that answer is tried:
+// when a field blocks it, the field's own answer is greater, and no search is needed.
 
 #include "silhouette/slide.h"
 
@@ -30,14 +30,16 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kFarthest = std::numeric_limits<double>::max();
 
-/// Sine of the angle below which line and `across` are parallel, or the plane is seen edge-on. Far below what placement accepts
-/// (kEdgeOnAngleRad): here it only keeps the inverse accurate to about 1e-9.
+/// Sine of the angle below which line and `across` are parallel, or the plane is seen edge-on. Far below what
+/// placement accepts (kEdgeOnAngleRad): here it only keeps the inverse accurate to about 1e-9.
 constexpr double kDegenerateSine = 1e-6;
 
-/// Points seen this close to the plane's horizon (the base line's depth over theirs) count as on it. Rounding reaches about 1e-9.
+/// Points seen this close to the plane's horizon (the base line's depth over theirs) count as on it. Rounding reaches
+/// about 1e-9.
 constexpr double kHorizon = 1e-7;
 
-/// px. What would move the line by less is not looked for. More than the rounding of the vector steps' floats, some 1e-3 px at 4K.
+/// px. What would move the line by less is not looked for. More than the rounding of the vector steps' floats, some
+/// 1e-3 px at 4K.
 constexpr double kNegligiblePx = 5e-3;
 
 /// Strips to a block: the level of the tree that is swept.
@@ -59,10 +61,14 @@ Form operator*(const Form& a, double s) { return {a.away * s, a.along * s, a.con
 
 Form seenFrom(ViewportEdge edge, const DistanceFields& fields, const Vec3& form) {
   switch (edge) {
-    case ViewportEdge::kLeft: return {form.x, form.y, form.z};
-    case ViewportEdge::kRight: return {-form.x, form.y, form.z + form.x * fields.widthPx};
-    case ViewportEdge::kTop: return {form.y, form.x, form.z};
-    case ViewportEdge::kBottom: return {-form.y, form.x, form.z + form.y * fields.heightPx};
+    case ViewportEdge::kLeft:
+      return {form.x, form.y, form.z};
+    case ViewportEdge::kRight:
+      return {-form.x, form.y, form.z + form.x * fields.widthPx};
+    case ViewportEdge::kTop:
+      return {form.y, form.x, form.z};
+    case ViewportEdge::kBottom:
+      return {-form.y, form.x, form.z + form.y * fields.heightPx};
   }
   return {};
 }
@@ -105,10 +111,14 @@ struct Polygon {
 /// A homogeneous pixel in a field's own coordinates: x is away, y along.
 Vec3 seenPixel(ViewportEdge edge, const DistanceFields& fields, const Vec3& pixel) {
   switch (edge) {
-    case ViewportEdge::kLeft: return pixel;
-    case ViewportEdge::kRight: return {fields.widthPx * pixel.z - pixel.x, pixel.y, pixel.z};
-    case ViewportEdge::kTop: return {pixel.y, pixel.x, pixel.z};
-    case ViewportEdge::kBottom: return {fields.heightPx * pixel.z - pixel.y, pixel.x, pixel.z};
+    case ViewportEdge::kLeft:
+      return pixel;
+    case ViewportEdge::kRight:
+      return {fields.widthPx * pixel.z - pixel.x, pixel.y, pixel.z};
+    case ViewportEdge::kTop:
+      return {pixel.y, pixel.x, pixel.z};
+    case ViewportEdge::kBottom:
+      return {fields.heightPx * pixel.z - pixel.y, pixel.x, pixel.z};
   }
   return {};
 }
@@ -122,8 +132,8 @@ struct Range {
 
 /// A slide in one field's coordinates.
 class Wedge {
- public:
-  Form u, v, w, t;   ///< the forms U, V, W and T
+public:
+  Form u, v, w, t;  ///< the forms U, V, W and T
 
   Wedge(const DistanceFields& fields, ViewportEdge edge, const Slide& slide)
       : u(seenFrom(edge, fields, slide.uForm())),
@@ -137,7 +147,8 @@ class Wedge {
   /// The form G: > 0 beyond an offset.
   [[nodiscard]] Form beyond(double offsetM) const { return t - w * offsetM; }
 
-  /// A box around all of the wedge that lies beyond an offset: from the line there to where the extension lines meet, or without end.
+  /// A box around all of the wedge that lies beyond an offset: from the line there to where the extension lines meet,
+  /// or without end.
   [[nodiscard]] Range rangeBeyond(double offsetM) const {
     const Vec3 start = origin_ + perT_ * offsetM;
     const Vec3 end = start + perU_;
@@ -164,35 +175,37 @@ class Wedge {
     return range;
   }
 
- private:
+private:
   Vec3 origin_, perU_, perT_;
 };
 
 /// As a float in all lanes, however far it is.
 Float4 splatFar(double v) { return splat4(static_cast<float>(std::clamp(v, -Range::kFar, Range::kFar))); }
 
-/// Lane by lane, the greatest value of a form over boxes: from `away` to the field's far end, and from `along` on over a common width.
+/// Lane by lane, the greatest value of a form over boxes: from `away` to the field's far end, and from `along` on
+/// over a common width.
 class GreatestOverBox {
- public:
+public:
   GreatestOverBox() = default;
   GreatestOverBox(const Form& form, double extentPx, double width, double marginPx)
       : perAway_(splat4(static_cast<float>(std::min(form.away, 0.0)))),
         perAlong_(splat4(static_cast<float>(form.along))),
-        constant_(splat4(static_cast<float>(form.constant + std::max(form.away, 0.0) * extentPx + std::max(form.along, 0.0) * width +
-                                            form.steepness() * marginPx))) {}
+        constant_(splat4(static_cast<float>(form.constant + std::max(form.away, 0.0) * extentPx +
+                                            std::max(form.along, 0.0) * width + form.steepness() * marginPx))) {}
 
   [[nodiscard]] Float4 at(Float4 away, Float4 along) const { return perAway_ * away + perAlong_ * along + constant_; }
 
- private:
+private:
   Float4 perAway_{};
   Float4 perAlong_{};
   Float4 constant_{};
 };
 
-/// Tests boxes, four at a time, against the wedge beyond an offset. A box covers `width` strips, and reaches from a value of its own to the field's
-/// far end. Separating axes: the wedge's three sides, and the box's own two directions.
+/// Tests boxes, four at a time, against the wedge beyond an offset. A box covers `width` strips, and reaches from a
+/// value of its own to the field's far end. Separating axes: the wedge's three sides, and the box's own two
+/// directions.
 class BoxFilter {
- public:
+public:
   BoxFilter(const Wedge& wedge, double extentPx, std::size_t width)
       : extentPx_(extentPx),
         width_(static_cast<double>(width)),
@@ -214,7 +227,7 @@ class BoxFilter {
 
   [[nodiscard]] double width() const { return width_; }
 
- private:
+private:
   double extentPx_;
   double width_;
   Float4 awayHigh_{};
@@ -225,12 +238,16 @@ class BoxFilter {
   GreatestOverBox g_;
 };
 
-/// Says roughly how great an offset a box holds, by which the first to visit is chosen: at the middle of its width, there where the box, cut by the
-/// wedge's two banks (the extension lines), begins and ends.
+/// Says roughly how great an offset a box holds, by which the first to visit is chosen: at the middle of its width,
+/// there where the box, cut by the wedge's two banks (the extension lines), begins and ends.
 class Promise {
- public:
+public:
   Promise(const Wedge& wedge, const Range& range, double extentPx)
-      : t_(wedge.t), w_(wedge.w), alongLow_(splatFar(range.alongLow)), alongHigh_(splatFar(range.alongHigh)), extent_(splatFar(extentPx)) {
+      : t_(wedge.t),
+        w_(wedge.w),
+        alongLow_(splatFar(range.alongLow)),
+        alongHigh_(splatFar(range.alongHigh)),
+        extent_(splatFar(extentPx)) {
     for (const Form* form : {&wedge.u, &wedge.v}) {
       // A bank that runs nearly straight away bounds no distance.
       if (std::abs(form->away) < 1e-4 * std::abs(form->along)) continue;
@@ -248,7 +265,7 @@ class Promise {
     return max4(offset(low, middle), offset(max4(low, high), middle));
   }
 
- private:
+private:
   struct Line {
     Float4 slope;
     Float4 constant;
@@ -257,7 +274,9 @@ class Promise {
   struct Form4 {
     Float4 away, along, constant;
     explicit Form4(const Form& f)
-        : away(splat4(static_cast<float>(f.away))), along(splat4(static_cast<float>(f.along))), constant(splat4(static_cast<float>(f.constant))) {}
+        : away(splat4(static_cast<float>(f.away))),
+          along(splat4(static_cast<float>(f.along))),
+          constant(splat4(static_cast<float>(f.constant))) {}
     [[nodiscard]] Float4 at(Float4 awayPx, Float4 alongPx) const { return away * awayPx + along * alongPx + constant; }
   };
 
@@ -278,8 +297,9 @@ class Promise {
 
 /// One field, one slide: the search for the greatest offset over what the field blocks in the wedge.
 class Search {
- public:
-  Search(const DistanceField& field, ViewportEdge edge, const DistanceFields& fields, const Slide& slide, double uselessAboveM)
+public:
+  Search(const DistanceField& field, ViewportEdge edge, const DistanceFields& fields, const Slide& slide,
+         double uselessAboveM)
       : field_(field),
         extentPx_(fields.extentPx(edge)),
         wedge_(fields, edge, slide),
@@ -288,7 +308,7 @@ class Search {
         enoughM_(std::min(uselessAboveM, kFarthest)) {}
 
   double run() {
-    if (!(field_.node(1).min < extentPx_)) return 0;   // there is nothing to be seen
+    if (!(field_.node(1).min < extentPx_)) return 0;  // there is nothing to be seen
     if (touchesViewportEdge()) return kInfinity;
     aim();
     const Promise promise(wedge_, range_, extentPx_);
@@ -304,12 +324,13 @@ class Search {
         [&](std::size_t block) {
           sweep(
               strips_, promise, std::max(first, block * kBlock), std::min(last, block * kBlock + kBlock - 1),
-              [&](std::size_t strip) { return load4(field_.values().data() + strip); }, [&](std::size_t strip) { improve(strip); });
+              [&](std::size_t strip) { return load4(field_.values().data() + strip); },
+              [&](std::size_t strip) { improve(strip); });
         });
     return best_;
   }
 
- private:
+private:
   /// Whether a strip of value <= 0 meets the viewport edge inside the wedge.
   [[nodiscard]] bool touchesViewportEdge() const {
     if (field_.node(1).min > 0) return false;
@@ -340,7 +361,8 @@ class Search {
 
   /// Visits the boxes from first to last that may raise the best offset, the most promising one first.
   template <typename ValuesFrom, typename Visit>
-  void sweep(const BoxFilter& filter, const Promise& promise, std::size_t first, std::size_t last, ValuesFrom valuesFrom, Visit visit) {
+  void sweep(const BoxFilter& filter, const Promise& promise, std::size_t first, std::size_t last,
+             ValuesFrom valuesFrom, Visit visit) {
     const auto width = static_cast<float>(filter.width());
     const Float4 lastBox = splat4(static_cast<float>(last));
     std::size_t promising = last + 1;
@@ -450,8 +472,8 @@ std::optional<Slide> Slide::make(const View& view, const Segment& base, const Ve
   return slide;
 }
 
-double leastClearingOffset(const DistanceField& field, ViewportEdge edge, const DistanceFields& fields, const Slide& slide,
-                           double uselessAboveM) {
+double leastClearingOffset(const DistanceField& field, ViewportEdge edge, const DistanceFields& fields,
+                           const Slide& slide, double uselessAboveM) {
   return Search(field, edge, fields, slide, uselessAboveM).run();
 }
 
@@ -459,15 +481,16 @@ double leastClearingOffset(const DistanceFields& fields, const Slide& slide, dou
   // The field that the line sets off towards most often has the answer.
   const Vec3 middle = slide.originPixel() + slide.pixelPerU() * 0.5;
   const Vec3& perT = slide.pixelPerT();
-  const Vec2 way(perT.x * middle.z - middle.x * perT.z, perT.y * middle.z - middle.y * perT.z);   // of its middle, to a positive factor
+  const Vec2 way(perT.x * middle.z - middle.x * perT.z,
+                 perT.y * middle.z - middle.y * perT.z);  // of its middle, to a positive factor
   const ViewportEdge alongX = way.x < 0 ? ViewportEdge::kLeft : ViewportEdge::kRight;
   const ViewportEdge alongY = way.y < 0 ? ViewportEdge::kTop : ViewportEdge::kBottom;
   const bool xFirst = std::abs(way.x) > std::abs(way.y);
   const auto opposite = [](ViewportEdge edge) { return static_cast<ViewportEdge>(static_cast<unsigned>(edge) ^ 1U); };
   double least = kInfinity;
   std::optional<Vec2> probe;
-  for (const ViewportEdge edge : {xFirst ? alongX : alongY, xFirst ? alongY : alongX, opposite(xFirst ? alongY : alongX),
-                                  opposite(xFirst ? alongX : alongY)}) {
+  for (const ViewportEdge edge : {xFirst ? alongX : alongY, xFirst ? alongY : alongX,
+                                  opposite(xFirst ? alongY : alongX), opposite(xFirst ? alongX : alongY)}) {
     if (probe && blocks(fields, edge, *probe)) continue;
     const double boundM = std::min(least, uselessAboveM);
     const double offsetM = leastClearingOffset(fields[edge], edge, fields, slide, boundM);

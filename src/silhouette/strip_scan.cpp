@@ -2,38 +2,66 @@
 
 #include <utility>
 
+#include "silhouette/float4.h"
+
 namespace dimline {
 
 namespace {
 
-/// One strip: the nearer of two fields takes the least `away`, the farther what is left beyond the greatest.
-void take(float& nearValue, float& farValue, double extent, double low, double high) {
-  nearValue = std::min(nearValue, static_cast<float>(low));
-  farValue = std::min(farValue, static_cast<float>(extent - high));
-}
+/// A segment in the frame of the rows or of the columns, from the lesser place along to the greater.
+struct Run {
+  double along0, away0;
+  double along1, away1;
+};
 
-/// A segment from (along0, away0) to (along1, away1) into a pair of opposite fields.
-void scanPair(double along0, double away0, double along1, double away1, int lastStrip, double extent, float* nearField, float* farField) {
-  if (along0 > along1) {
-    std::swap(along0, along1);
-    std::swap(away0, away1);
-  }
-  const int first = std::min(static_cast<int>(along0), lastStrip);
-  int last = std::min(static_cast<int>(along1), lastStrip);
-  if (last > first && last == along1) --last;  // only touches its last strip
+/// Scans a run into a pair of opposite fields.
+void scanPair(const Run& run, int lastStrip, double extent, float* nearField, float* farField) {
+  const auto take = [&](int strip, double one, double other) {
+    nearField[strip] = std::min(nearField[strip], static_cast<float>(std::min(one, other)));
+    farField[strip] = std::min(farField[strip], static_cast<float>(extent - std::max(one, other)));
+  };
+  const int first = std::min(static_cast<int>(run.along0), lastStrip);
+  int last = std::min(static_cast<int>(run.along1), lastStrip);
+  if (last > first && last == run.along1) --last;  // only touches its last strip
   if (first == last) {
-    take(nearField[first], farField[first], extent, std::min(away0, away1), std::max(away0, away1));
+    take(first, run.away0, run.away1);
     return;
   }
-  const double slope = (away1 - away0) / (along1 - along0);
-  // Within a strip the extremes lie where the segment enters and leaves it; which is which, the slope says.
-  double enter = away0;
-  for (int strip = first; strip < last; ++strip) {
-    const double leave = away0 + (strip + 1 - along0) * slope;
-    take(nearField[strip], farField[strip], extent, std::min(enter, leave), std::max(enter, leave));
+  // Within a strip the extremes lie where the segment enters it and where it leaves it.
+  const double slope = (run.away1 - run.away0) / (run.along1 - run.along0);
+  double enter = run.away0 + (first + 1 - run.along0) * slope;
+  take(first, run.away0, enter);
+  int strip = first + 1;
+  if (last - strip >= 4) {
+    const auto step = static_cast<float>(slope);
+    const auto low = static_cast<float>(std::min(slope, 0.0));
+    const auto high = static_cast<float>(extent - std::max(slope, 0.0));
+    for (; strip + 4 <= last; strip += 4) {
+      const Float4 enters = static_cast<float>(run.away0 + (strip - run.along0) * slope) + kLanes * step;
+      store4(nearField + strip, min4(load4(nearField + strip), enters + low));
+      store4(farField + strip, min4(load4(farField + strip), high - enters));
+    }
+    enter = run.away0 + (strip - run.along0) * slope;
+  }
+  for (; strip < last; ++strip) {
+    const double leave = run.away0 + (strip + 1 - run.along0) * slope;
+    take(strip, enter, leave);
     enter = leave;
   }
-  take(nearField[last], farField[last], extent, std::min(enter, away1), std::max(enter, away1));
+  take(last, enter, run.away1);
+}
+
+/// Whether all values are at most `bound`.
+bool allAtMost(const float* values, std::size_t count, float bound) {
+  const Float4 bound4 = splat4(bound);
+  std::size_t i = 0;
+  for (; i + 4 <= count; i += 4) {
+    if (lanesOf(load4(values + i) <= bound4) != 0xF) return false;
+  }
+  for (; i < count; ++i) {
+    if (!(values[i] <= bound)) return false;
+  }
+  return true;
 }
 
 }  // namespace
@@ -47,8 +75,10 @@ StripScan::StripScan(DistanceFields& fields)
       bottom_(fields[ViewportEdge::kBottom].edit().data()) {}
 
 void StripScan::scanInside(const Vec2& a, const Vec2& b) {
-  scanPair(a.y, a.x, b.y, b.x, static_cast<int>(heightPx_) - 1, widthPx_, left_, right_);
-  scanPair(a.x, a.y, b.x, b.y, static_cast<int>(widthPx_) - 1, heightPx_, top_, bottom_);
+  const Run rows = a.y <= b.y ? Run{a.y, a.x, b.y, b.x} : Run{b.y, b.x, a.y, a.x};
+  const Run columns = a.x <= b.x ? Run{a.x, a.y, b.x, b.y} : Run{b.x, b.y, a.x, a.y};
+  scanPair(rows, static_cast<int>(heightPx_) - 1, widthPx_, left_, right_);
+  scanPair(columns, static_cast<int>(widthPx_) - 1, heightPx_, top_, bottom_);
 }
 
 void StripScan::scan(const Vec2& a, const Vec2& b) {
@@ -72,6 +102,22 @@ void StripScan::scan(const Vec2& a, const Vec2& b) {
   const Vec2 from = enter > 0 ? glm::clamp(a + d * enter, Vec2(0.0), end) : a;
   const Vec2 to = leave < 1 ? glm::clamp(a + d * leave, Vec2(0.0), end) : b;
   scanInside(from, to);
+}
+
+bool StripScan::knows(float left, float right, float top, float bottom) const {
+  const auto width = static_cast<float>(widthPx_);
+  const auto height = static_cast<float>(heightPx_);
+  left = std::max(left, 0.0F);
+  top = std::max(top, 0.0F);
+  right = std::min(right, width);
+  bottom = std::min(bottom, height);
+  if (!(left <= right && top <= bottom)) return false;
+  const auto firstRow = static_cast<std::size_t>(std::min(top, height - 1));
+  const auto rows = static_cast<std::size_t>(std::min(bottom, height - 1)) - firstRow + 1;
+  const auto firstColumn = static_cast<std::size_t>(std::min(left, width - 1));
+  const auto columns = static_cast<std::size_t>(std::min(right, width - 1)) - firstColumn + 1;
+  return allAtMost(left_ + firstRow, rows, left) && allAtMost(right_ + firstRow, rows, width - right) &&
+         allAtMost(top_ + firstColumn, columns, top) && allAtMost(bottom_ + firstColumn, columns, height - bottom);
 }
 
 }  // namespace dimline

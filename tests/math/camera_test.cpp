@@ -39,7 +39,7 @@ std::vector<Camera> manyCameras() {
     camera.fovRad = random.scaled(0.2, 100) * kPi / 180;
     if (i % 3 == 0) camera.orthoHeightM = random.scaled(0.1, 30);
     if (i % 5 == 0) camera.up = random.direction() * random.real(0.1, 4);
-    if (i % 17 == 0) camera.eye = camera.target + Vec3(0, 5, 0);   // looks straight down, along its up
+    if (i % 17 == 0) camera.eye = camera.target + Vec3(0, 5, 0);  // looks straight down, along its up
     cameras.push_back(camera);
   }
   return cameras;
@@ -47,13 +47,14 @@ std::vector<Camera> manyCameras() {
 
 bool close(const Vec3& a, const Vec3& b, double within) { return glm::length(a - b) <= within; }
 
-// --- validate -----------------------------------------------------------------------------------------------------------
+// --- validate
+// -----------------------------------------------------------------------------------------------------------
 
 TEST_CASE("a camera that can be used is accepted") {
   REQUIRE(validate(Camera{}));
   for (const Camera& camera : manyCameras()) REQUIRE(validate(camera));
   Camera down = frontCamera();
-  down.eye = {0, 10, 0};   // up along the view
+  down.eye = {0, 10, 0};  // up along the view
   REQUIRE(validate(down));
 }
 
@@ -80,7 +81,8 @@ TEST_CASE("a camera that cannot be used gets a reason") {
   REQUIRE(message([&](Camera& c) { c.orthoHeightM = HUGE_VAL; }).find("orthoHeight") != std::string::npos);
 }
 
-// --- View, by hand ------------------------------------------------------------------------------------------------------
+// --- View, by hand
+// ------------------------------------------------------------------------------------------------------
 
 TEST_CASE("a view through 90 degrees, by hand") {
   const View view(frontCamera(), 200, 100, unitBounds());
@@ -97,7 +99,7 @@ TEST_CASE("a view through 90 degrees, by hand") {
   REQUIRE(view.depth({3, 4, 0}) == Approx(10));
   REQUIRE(view.metresPerPixelAt({3, 4, 0}) == Approx(0.2));
   REQUIRE(close(view.directionTo({10, 0, 0}), glm::normalize(Vec3(1, 0, -1)), 1e-12));
-  REQUIRE((view.worldToPixels() * Vec4(3, 4, 0, 1)).z == Approx(10));   // w is the depth
+  REQUIRE((view.worldToPixels() * Vec4(3, 4, 0, 1)).z == Approx(10));  // w is the depth
   REQUIRE(view.viewport().max == Vec2(200, 100));
 }
 
@@ -130,7 +132,7 @@ TEST_CASE("the near plane stays before the eye when the model does not") {
   REQUIRE(view.nearM() < 0.01);
   REQUIRE(view.farM() > 1.5);
   camera.eye = {0, 0, -20};
-  camera.target = {0, 0, -30};   // the model is behind
+  camera.target = {0, 0, -30};  // the model is behind
   const View away(camera, 100, 100, unitBounds());
   REQUIRE(away.nearM() > 0);
   REQUIRE(away.farM() > away.nearM());
@@ -147,7 +149,8 @@ TEST_CASE("a view of nothing still projects") {
   REQUIRE(view.toScreen({0, 0, 0}).x == Approx(50));
 }
 
-// --- View, in general ---------------------------------------------------------------------------------------------------
+// --- View, in general
+// ---------------------------------------------------------------------------------------------------
 
 TEST_CASE("the camera's frame is orthonormal and right-handed, also when up says nothing") {
   for (const Camera& camera : manyCameras()) {
@@ -203,7 +206,8 @@ TEST_CASE("a pixel's length in the world is what moves a point by one pixel") {
   }
 }
 
-// --- Cameras that show a model ------------------------------------------------------------------------------------------
+// --- Cameras that show a model
+// ------------------------------------------------------------------------------------------
 
 Box2 screenBox(const View& view, const Bounds& bounds) {
   Box2 box;
@@ -248,7 +252,9 @@ TEST_CASE("fitting keeps the direction, and the model in the picture") {
     REQUIRE(fitted.orthographic() == camera.orthographic());
     const Box2 box = screenBox(view, bounds);
     // Never past the share; and one side of the box reaches it, seen from the middle.
-    const Vec2 reach = glm::max(glm::abs(box.min - Vec2(width, height) * 0.5), glm::abs(box.max - Vec2(width, height) * 0.5)) / (Vec2(width, height) * 0.5);
+    const Vec2 reach =
+        glm::max(glm::abs(box.min - Vec2(width, height) * 0.5), glm::abs(box.max - Vec2(width, height) * 0.5)) /
+        (Vec2(width, height) * 0.5);
     REQUIRE(std::max(reach.x, reach.y) == Approx(0.62).epsilon(1e-6));
   }
 }

@@ -56,9 +56,9 @@ TEST_CASE("segments cross at inner points only") {
   const Segment2 a{{0, 0}, {10, 0}};
   REQUIRE(segmentsCross(a, {{5, -1}, {5, 1}}));
   REQUIRE(segmentsCross({{5, 1}, {5, -1}}, a));
-  REQUIRE_FALSE(segmentsCross(a, {{5, 0}, {5, 1}}));      // ends on it
-  REQUIRE_FALSE(segmentsCross(a, {{10, -1}, {10, 1}}));   // passes its end
-  REQUIRE_FALSE(segmentsCross(a, {{2, 0}, {8, 0}}));      // along it
+  REQUIRE_FALSE(segmentsCross(a, {{5, 0}, {5, 1}}));     // ends on it
+  REQUIRE_FALSE(segmentsCross(a, {{10, -1}, {10, 1}}));  // passes its end
+  REQUIRE_FALSE(segmentsCross(a, {{2, 0}, {8, 0}}));     // along it
   REQUIRE_FALSE(segmentsCross(a, {{0, 1}, {10, 1}}));
   REQUIRE_FALSE(segmentsCross(a, {{11, -1}, {11, 1}}));
   REQUIRE_FALSE(segmentsCross(a, {{5, 0}, {5, 0}}));
@@ -86,7 +86,8 @@ TEST_CASE("the distance between segments is the least between their points") {
     double least = 100;
     for (int i = 0; i <= 60; ++i) {
       for (int j = 0; j <= 60; ++j) {
-        least = std::min(least, glm::length(a.start + (a.end - a.start) * (i / 60.0) - b.start - (b.end - b.start) * (j / 60.0)));
+        least = std::min(
+            least, glm::length(a.start + (a.end - a.start) * (i / 60.0) - b.start - (b.end - b.start) * (j / 60.0)));
       }
     }
     REQUIRE(distanceBetween(a, b) <= least + 1e-12);
@@ -99,9 +100,9 @@ TEST_CASE("a segment meets a box that it touches, crosses or lies in") {
   const Box2 box{{0, 0}, {10, 10}};
   REQUIRE(meets({{2, 2}, {3, 3}}, box));
   REQUIRE(meets({{-5, 5}, {15, 5}}, box));
-  REQUIRE(meets({{-5, 10}, {15, 10}}, box));   // along its border
-  REQUIRE(meets({{10, 5}, {20, 5}}, box));     // ends on its border
-  REQUIRE(meets({{-1, 1}, {1, -1}}, box));     // through its corner
+  REQUIRE(meets({{-5, 10}, {15, 10}}, box));  // along its border
+  REQUIRE(meets({{10, 5}, {20, 5}}, box));    // ends on its border
+  REQUIRE(meets({{-1, 1}, {1, -1}}, box));    // through its corner
   REQUIRE_FALSE(meets({{-1, 0.5}, {0.5, -1}}, box));
   REQUIRE_FALSE(meets({{11, 5}, {20, 5}}, box));
   REQUIRE_FALSE(meets({{5, 11}, {5, 20}}, box));

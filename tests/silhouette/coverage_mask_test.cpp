@@ -19,7 +19,7 @@ Camera frontCamera(double heightM) {
 
 TEST_CASE("a mask covers the pixels whose centres the model covers") {
   Scene scene;
-  test::add(scene, test::boxMesh());   // 2 m wide; at 10 px a metre it covers x and y from 10 to 30
+  test::add(scene, test::boxMesh());  // 2 m wide; at 10 px a metre it covers x and y from 10 to 30
   const View view(frontCamera(4), 40, 40, scene.bounds);
   const CoverageMask mask = coverageMask(scene, view);
   REQUIRE(mask.widthPx == 40);

@@ -33,7 +33,8 @@ Camera frontCamera(double heightM) {
   return camera;
 }
 
-// --- By hand ----------------------------------------------------------------------------------------------------------
+// --- By hand
+// ----------------------------------------------------------------------------------------------------------
 
 TEST_CASE("an empty scene has empty fields") {
   const Scene scene;
@@ -55,7 +56,7 @@ TEST_CASE("a box seen from the front, by hand") {
   REQUIRE(fields[ViewportEdge::kRight].at(20) == Approx(9.75).margin(1e-4));
   REQUIRE(fields[ViewportEdge::kTop].at(20) == Approx(10).margin(1e-4));
   REQUIRE(fields[ViewportEdge::kBottom].at(20) == Approx(10).margin(1e-4));
-  REQUIRE(fields[ViewportEdge::kTop].at(10) == Approx(10).margin(1e-4));   // its strip from 10.25 on
+  REQUIRE(fields[ViewportEdge::kTop].at(10) == Approx(10).margin(1e-4));  // its strip from 10.25 on
   REQUIRE(fields[ViewportEdge::kTop].at(9) == kNoSilhouette);
   REQUIRE(fields[ViewportEdge::kTop].at(31) == kNoSilhouette);
   REQUIRE(fields[ViewportEdge::kLeft].at(8) == kNoSilhouette);
@@ -72,7 +73,7 @@ TEST_CASE("a slanted edge gives each strip its extreme over the whole strip") {
   test::add(scene, mesh);
   const DistanceFields fields = produced(scene, View(frontCamera(4), 40, 40, scene.bounds));
   REQUIRE(fields[ViewportEdge::kRight].at(4) == Approx(4).margin(1e-3));
-  REQUIRE(fields[ViewportEdge::kRight].at(5) == Approx(8).margin(1e-3));    // at the strip's top
+  REQUIRE(fields[ViewportEdge::kRight].at(5) == Approx(8).margin(1e-3));  // at the strip's top
   REQUIRE(fields[ViewportEdge::kRight].at(11) == Approx(32).margin(1e-3));
   REQUIRE(fields[ViewportEdge::kBottom].at(4) == Approx(28).margin(1e-3));
   REQUIRE(fields[ViewportEdge::kBottom].at(8) == Approx(29).margin(1e-3));  // at the strip's left
@@ -89,7 +90,7 @@ TEST_CASE("a wire thinner than a pixel is seen") {
   REQUIRE(fields[ViewportEdge::kTop].at(20) == Approx(10).margin(1e-3));
   DistanceFields fromMask;
   fieldsFromMask(coverageMask(scene, view), fromMask);
-  REQUIRE(fromMask[ViewportEdge::kLeft].at(20) == kNoSilhouette);   // it falls between the pixels' centres
+  REQUIRE(fromMask[ViewportEdge::kLeft].at(20) == kNoSilhouette);  // it falls between the pixels' centres
 }
 
 TEST_CASE("a face that fills the viewport leaves no room on any side") {
@@ -143,15 +144,24 @@ TEST_CASE("a mesh flattened to nothing is seen as the sheet that it is") {
   REQUIRE(fields[ViewportEdge::kBottom].at(20) == Approx(10).margin(1e-4));
 }
 
-// --- Against the mask -------------------------------------------------------------------------------------------------
+// --- Against the mask
+// -------------------------------------------------------------------------------------------------
 
 Mesh randomMesh(Random& random) {
   Mesh mesh;
   switch (random.whole(0, 3)) {
-    case 0: mesh = test::boxMesh(); break;
-    case 1: mesh = test::sphereMesh(random.whole(3, 14), random.whole(3, 20)); break;
-    case 2: mesh = test::sheetMesh(random.whole(1, 6), random.real(0, 0.5)); break;
-    default: mesh = test::sheetMesh(1, 0); break;
+    case 0:
+      mesh = test::boxMesh();
+      break;
+    case 1:
+      mesh = test::sphereMesh(random.whole(3, 14), random.whole(3, 20));
+      break;
+    case 2:
+      mesh = test::sheetMesh(random.whole(1, 6), random.real(0, 0.5));
+      break;
+    default:
+      mesh = test::sheetMesh(1, 0);
+      break;
   }
   return random.chance(0.2) ? test::split(mesh) : mesh;
 }
@@ -163,9 +173,10 @@ Scene randomScene(Random& random, double sizeM) {
     Vec3 scale = Vec3(random.scaled(0.05, 0.7), random.scaled(0.05, 0.7), random.scaled(0.05, 0.7)) * sizeM;
     if (random.chance(0.25)) scale[random.whole(0, 2)] *= 0.01;
     const bool straight = random.chance(0.3);
-    const glm::mat4 transform = test::placed(random.point(Vec3(-sizeM), Vec3(sizeM)) * 0.7, straight ? Vec3(0, 1, 0) : random.direction(),
-                                             straight ? 0 : random.real(0, 6.3), scale);
-    if (i > 0 && random.chance(0.3)) {   // an instance of a mesh that is there already
+    const glm::mat4 transform =
+        test::placed(random.point(Vec3(-sizeM), Vec3(sizeM)) * 0.7, straight ? Vec3(0, 1, 0) : random.direction(),
+                     straight ? 0 : random.real(0, 6.3), scale);
+    if (i > 0 && random.chance(0.3)) {  // an instance of a mesh that is there already
       const auto mesh = static_cast<std::uint32_t>(random.whole(0, static_cast<int>(scene.meshes.size()) - 1));
       scene.instances.push_back({mesh, transform});
       for (const glm::vec3& p : scene.meshes[mesh].positions) scene.bounds.add(Vec3(transform * glm::vec4(p, 1)));
@@ -183,10 +194,19 @@ Camera randomCamera(Random& random, double sizeM) {
   const double fits = sizeM / std::tan(camera.fovRad / 2);
   const Vec3 way = random.chance(0.15) ? Vec3(random.whole(0, 1) * 2.0 - 1, 0, 0) : random.direction();
   switch (random.whole(0, 4)) {
-    case 0: camera.eye = camera.target + way * (sizeM * random.real(0.01, 1)); break;   // in the midst
-    case 1: camera.eye = camera.target + way * (fits * random.real(0.2, 0.8)); break;    // too close to see all
-    case 2: camera.orthoHeightM = sizeM * random.scaled(0.5, 5); camera.eye = camera.target + way * sizeM; break;
-    default: camera.eye = camera.target + way * (fits * random.real(1, 3)); break;
+    case 0:
+      camera.eye = camera.target + way * (sizeM * random.real(0.01, 1));
+      break;  // in the midst
+    case 1:
+      camera.eye = camera.target + way * (fits * random.real(0.2, 0.8));
+      break;  // too close to see all
+    case 2:
+      camera.orthoHeightM = sizeM * random.scaled(0.5, 5);
+      camera.eye = camera.target + way * sizeM;
+      break;
+    default:
+      camera.eye = camera.target + way * (fits * random.real(1, 3));
+      break;
   }
   if (glm::length(camera.eye - camera.target) < 1e-3 * sizeM) camera.eye = camera.target + Vec3(0, 0, sizeM);
   return camera;
@@ -243,10 +263,14 @@ Segment2 crossSection(const DistanceFields& fields, ViewportEdge edge, std::size
   const double value = fields[edge].at(strip);
   const double low = static_cast<double>(strip);
   switch (edge) {
-    case ViewportEdge::kLeft: return {{value, low}, {value, low + 1}};
-    case ViewportEdge::kRight: return {{fields.widthPx - value, low}, {fields.widthPx - value, low + 1}};
-    case ViewportEdge::kTop: return {{low, value}, {low + 1, value}};
-    case ViewportEdge::kBottom: return {{low, fields.heightPx - value}, {low + 1, fields.heightPx - value}};
+    case ViewportEdge::kLeft:
+      return {{value, low}, {value, low + 1}};
+    case ViewportEdge::kRight:
+      return {{fields.widthPx - value, low}, {fields.widthPx - value, low + 1}};
+    case ViewportEdge::kTop:
+      return {{low, value}, {low + 1, value}};
+    case ViewportEdge::kBottom:
+      return {{low, fields.heightPx - value}, {low + 1, fields.heightPx - value}};
   }
   return {};
 }
@@ -268,7 +292,8 @@ TEST_CASE("no field is farther from its edge than a mask of the same picture, no
       for (std::size_t strip = 0; strip < fields[edge].size(); ++strip) {
         const float got = fields[edge].at(strip);
         const float expected = fromMask[edge].at(strip);
-        INFO("round " << round << " edge " << static_cast<int>(edge) << " strip " << strip << ": exact " << got << ", mask " << expected);
+        INFO("round " << round << " edge " << static_cast<int>(edge) << " strip " << strip << ": exact " << got
+                      << ", mask " << expected);
         if (expected != kNoSilhouette) {
           // A pixel is covered when its centre is, half a pixel beyond the side that the mask's field tells.
           REQUIRE(got <= expected + 0.5F + 1e-3F);
@@ -294,7 +319,8 @@ TEST_CASE("fields of solid things agree with a mask's to within a pixel") {
   for (int round = 0; round < 60; ++round) {
     Scene scene;
     for (int i = 0; i < 3; ++i) {
-      const glm::mat4 transform = test::placed(random.point(Vec3(-1.0), Vec3(1.0)), random.direction(), random.real(0, 6.3), random.point(Vec3(0.4), Vec3(0.8)));
+      const glm::mat4 transform = test::placed(random.point(Vec3(-1.0), Vec3(1.0)), random.direction(),
+                                               random.real(0, 6.3), random.point(Vec3(0.4), Vec3(0.8)));
       test::add(scene, random.chance(0.5) ? test::boxMesh() : test::sphereMesh(20, 30), transform);
     }
     Camera camera;
@@ -335,7 +361,8 @@ TEST_CASE("a far viewer with a long lens keeps the fields to a tenth of a pixel"
   const DistanceFields b = produced(scene, View(parallel, 1000, 1000, scene.bounds));
   for (const ViewportEdge edge : kViewportEdges) {
     const auto first = static_cast<std::size_t>(500 - 100);
-    for (std::size_t strip = first; strip < 600; ++strip) REQUIRE(std::abs(a[edge].at(strip) - b[edge].at(strip)) < 0.1F + 300 * 3 / distance);
+    for (std::size_t strip = first; strip < 600; ++strip)
+      REQUIRE(std::abs(a[edge].at(strip) - b[edge].at(strip)) < 0.1F + 300 * 3 / distance);
   }
 }
 
@@ -377,7 +404,8 @@ TEST_CASE("a frame allocates nothing after the first") {
     pad(fields, 30, padded);
     pullIn(padded, Segment2{{100, 100}, {300, 200}}, 4);
     pullIn(padded, Box2{{100, 100}, {300, 200}}, 4);
-    const std::optional<Slide> slide = Slide::make(view, {view.camera().target, view.camera().target + view.right()}, view.up());
+    const std::optional<Slide> slide =
+        Slide::make(view, {view.camera().target, view.camera().target + view.right()}, view.up());
     return slide ? leastClearingOffset(padded, *slide) : 0.0;
   };
   frame(views[0]);
@@ -387,7 +415,7 @@ TEST_CASE("a frame allocates nothing after the first") {
   REQUIRE(test::allocationCount() == before);
   REQUIRE(sum >= 0);
   const std::vector<int> something(10);
-  REQUIRE(test::allocationCount() == before + 1);   // and it would have been noticed
+  REQUIRE(test::allocationCount() == before + 1);  // and it would have been noticed
 }
 
 }  // namespace

@@ -40,10 +40,14 @@ bool blocks(const DistanceFields& fields, ViewportEdge edge, const Vec2& p) {
   if (along < 0 || along >= static_cast<double>(fields[edge].size())) return false;
   const double value = fields[edge].at(static_cast<std::size_t>(along));
   switch (edge) {
-    case ViewportEdge::kLeft: return p.x > value;
-    case ViewportEdge::kRight: return p.x < fields.widthPx - value;
-    case ViewportEdge::kTop: return p.y > value;
-    case ViewportEdge::kBottom: return p.y < fields.heightPx - value;
+    case ViewportEdge::kLeft:
+      return p.x > value;
+    case ViewportEdge::kRight:
+      return p.x < fields.widthPx - value;
+    case ViewportEdge::kTop:
+      return p.y > value;
+    case ViewportEdge::kBottom:
+      return p.y < fields.heightPx - value;
   }
   return false;
 }
@@ -85,7 +89,8 @@ TEST_CASE("least and greatest over any range equal a scan") {
     field.buildTree();
     for (int query = 0; query < 50; ++query) {
       const auto first = static_cast<std::size_t>(random.whole(0, static_cast<int>(field.size()) - 1));
-      const auto last = static_cast<std::size_t>(random.whole(static_cast<int>(first), static_cast<int>(field.size()) - 1));
+      const auto last =
+          static_cast<std::size_t>(random.whole(static_cast<int>(first), static_cast<int>(field.size()) - 1));
       const auto range = field.values().subspan(first, last - first + 1);
       REQUIRE(field.min(first, last) == *std::min_element(range.begin(), range.end()));
       REQUIRE(field.max(first, last) == *std::max_element(range.begin(), range.end()));
@@ -125,12 +130,12 @@ TEST_CASE("padding a single strip gives a disc swept over its height") {
   pad(fields, 5, padded);
   const DistanceField& left = padded[ViewportEdge::kLeft];
   REQUIRE(left.at(20) == 45);
-  REQUIRE(left.at(19) == 45);                // the next strips touch the blocked one
+  REQUIRE(left.at(19) == 45);  // the next strips touch the blocked one
   REQUIRE(left.at(21) == 45);
-  REQUIRE(left.at(24) == Approx(50 - 4));    // 3 px away: 4 remain of the radius
+  REQUIRE(left.at(24) == Approx(50 - 4));  // 3 px away: 4 remain of the radius
   REQUIRE(left.at(16) == Approx(50 - 4));
   REQUIRE(left.at(25) == Approx(50 - 3));
-  REQUIRE(left.at(26) == kNoSilhouette);     // 5 px away at the least: touched in no more than its border
+  REQUIRE(left.at(26) == kNoSilhouette);  // 5 px away at the least: touched in no more than its border
   REQUIRE(left.at(14) == kNoSilhouette);
   REQUIRE(padded[ViewportEdge::kTop].node(1).min == kNoSilhouette);
   REQUIRE(left.node(1).min == 45);
@@ -183,18 +188,23 @@ TEST_CASE("a point that clears a padded field keeps the distance from all that t
   REQUIRE(cleared > 100);
 }
 
-/// Holds fields that were empty before to a shape, given as the distance of a point from it less its radius: no point of the shape that is
-/// in the viewport is farther in than the field says, and what the field says is the place of some such point of the strip.
+/// Holds fields that were empty before to a shape, given as the distance of a point from it less its radius: no point
+/// of the shape that is in the viewport is farther in than the field says, and what the field says is the place of
+/// some such point of the strip.
 template <typename OutsideBy>
 void requireExtremes(const DistanceFields& fields, OutsideBy outsideBy) {
   constexpr int kPerPixel = 8;
   constexpr int kAlong = 32;
   const auto pointOf = [&](ViewportEdge edge, double along, double away) {
     switch (edge) {
-      case ViewportEdge::kLeft: return Vec2(away, along);
-      case ViewportEdge::kRight: return Vec2(fields.widthPx - away, along);
-      case ViewportEdge::kTop: return Vec2(along, away);
-      case ViewportEdge::kBottom: return Vec2(along, fields.heightPx - away);
+      case ViewportEdge::kLeft:
+        return Vec2(away, along);
+      case ViewportEdge::kRight:
+        return Vec2(fields.widthPx - away, along);
+      case ViewportEdge::kTop:
+        return Vec2(along, away);
+      case ViewportEdge::kBottom:
+        return Vec2(along, fields.heightPx - away);
     }
     return Vec2(0.0);
   };
@@ -226,14 +236,14 @@ TEST_CASE("a thick line pulls the fields in to its outline") {
   pullIn(fields, Segment2{{30, 20}, {70, 20}}, 5);
   REQUIRE(fields[ViewportEdge::kTop].at(50) == 15);
   REQUIRE(fields[ViewportEdge::kBottom].at(50) == 35);
-  REQUIRE(fields[ViewportEdge::kLeft].at(19) == 25);     // strips 19 and 20 meet at the line's own height
+  REQUIRE(fields[ViewportEdge::kLeft].at(19) == 25);  // strips 19 and 20 meet at the line's own height
   REQUIRE(fields[ViewportEdge::kLeft].at(20) == 25);
   REQUIRE(fields[ViewportEdge::kRight].at(20) == 25);
-  REQUIRE(fields[ViewportEdge::kLeft].at(23) == Approx(30 - 4));   // its nearest place is 3 px off
+  REQUIRE(fields[ViewportEdge::kLeft].at(23) == Approx(30 - 4));  // its nearest place is 3 px off
   REQUIRE(fields[ViewportEdge::kLeft].at(14) == kNoSilhouette);
   REQUIRE(fields[ViewportEdge::kLeft].at(25) == kNoSilhouette);
   REQUIRE(fields[ViewportEdge::kTop].at(24) == kNoSilhouette);
-  REQUIRE(fields[ViewportEdge::kTop].at(25) == Approx(20 - 3));    // up to 1 px into the cap of radius 5
+  REQUIRE(fields[ViewportEdge::kTop].at(25) == Approx(20 - 3));  // up to 1 px into the cap of radius 5
   REQUIRE(fields[ViewportEdge::kTop].node(1).min == 15);
 }
 
@@ -302,11 +312,11 @@ TEST_CASE("boxes and segments clear a field up to touching it") {
   REQUIRE_FALSE(clears(fields, Box2{{10, 15}, {30.1, 50}}));
   REQUIRE(clears(fields, Box2{{10, 1}, {90, 20}}));
   REQUIRE(clears(fields, Box2{{70, 0}, {100, 60}}));
-  REQUIRE_FALSE(clears(fields, Box2{{70, 0}, {100.5, 60}}));   // leaves the viewport
-  REQUIRE_FALSE(clears(fields, Box2{{40, 25}, {50, 30}}));     // inside
+  REQUIRE_FALSE(clears(fields, Box2{{70, 0}, {100.5, 60}}));  // leaves the viewport
+  REQUIRE_FALSE(clears(fields, Box2{{40, 25}, {50, 30}}));    // inside
   REQUIRE(clears(fields, Segment2{{30, 0}, {30, 60}}));
   REQUIRE(clears(fields, Segment2{{0, 20}, {100, 20}}));
-  REQUIRE(clears(fields, Segment2{{0, 49}, {49, 0}}));         // past the corner at (30, 20): 50 there
+  REQUIRE(clears(fields, Segment2{{0, 49}, {49, 0}}));  // past the corner at (30, 20): 50 there
   REQUIRE_FALSE(clears(fields, Segment2{{0, 51}, {51, 0}}));
   REQUIRE_FALSE(clears(fields, Segment2{{10, 10}, {90, 50}}));
   REQUIRE_FALSE(clears(fields, Segment2{{10, 10}, {10, 61}}));

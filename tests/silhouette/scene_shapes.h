@@ -11,8 +11,10 @@ namespace dimline::test {
 /// From -1 to 1 along each axis.
 inline Mesh boxMesh() {
   Mesh mesh;
-  for (int i = 0; i < 8; ++i) mesh.positions.emplace_back((i & 1) != 0 ? 1 : -1, (i & 2) != 0 ? 1 : -1, (i & 4) != 0 ? 1 : -1);
-  mesh.triangles = {{0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}, {0, 1, 5}, {0, 5, 4}, {2, 6, 7}, {2, 7, 3}, {0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}};
+  for (int i = 0; i < 8; ++i)
+    mesh.positions.emplace_back((i & 1) != 0 ? 1 : -1, (i & 2) != 0 ? 1 : -1, (i & 4) != 0 ? 1 : -1);
+  mesh.triangles = {{0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}, {0, 1, 5}, {0, 5, 4},
+                    {2, 6, 7}, {2, 7, 3}, {0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}};
   return mesh;
 }
 
@@ -25,7 +27,8 @@ inline Mesh sphereMesh(int rings, int segments) {
     for (int s = 0; s < segments; ++s) {
       const double latitude = pi * r / rings;
       const double longitude = 2 * pi * s / segments;
-      mesh.positions.emplace_back(std::sin(latitude) * std::sin(longitude), std::cos(latitude), std::sin(latitude) * std::cos(longitude));
+      mesh.positions.emplace_back(std::sin(latitude) * std::sin(longitude), std::cos(latitude),
+                                  std::sin(latitude) * std::cos(longitude));
     }
   }
   mesh.positions.emplace_back(0, -1, 0);

@@ -30,10 +30,11 @@ Vec2 across2(const Slide& slide, const View& view, double u, double tM) {
   return view.toScreen(line.start + (line.end - line.start) * u);
 }
 
-// --- By hand ----------------------------------------------------------------------------------------------------------
+// --- By hand
+// ----------------------------------------------------------------------------------------------------------
 
-// 10 m over 100 px, seen from the front: 10 px a metre, the origin in the middle at (50, 50). The base line runs from (40, 50) to (60, 50)
-// and slides up the screen.
+// 10 m over 100 px, seen from the front: 10 px a metre, the origin in the middle at (50, 50). The base line runs from
+// (40, 50) to (60, 50) and slides up the screen.
 struct FrontView {
   View view = orthographicView(10, 100, 100);
   Segment base{{-1, 0, 0}, {1, 0, 0}};
@@ -45,7 +46,7 @@ struct FrontView {
 
 TEST_CASE("the forms of a slide undo its projection, by hand") {
   const FrontView f;
-  const Vec3 q(55, 30, 1);   // 0.5 m to the right, 2 m up
+  const Vec3 q(55, 30, 1);  // 0.5 m to the right, 2 m up
   const double w = glm::dot(f.up.wForm(), q);
   REQUIRE(w == Approx(1));
   REQUIRE(glm::dot(f.up.uForm(), q) / w == Approx(0.75));
@@ -58,18 +59,19 @@ TEST_CASE("the forms of a slide undo its projection, by hand") {
 TEST_CASE("an empty field is clear at once") {
   FrontView f;
   f.build();
-  for (const ViewportEdge edge : kViewportEdges) REQUIRE(leastClearingOffset(f.fields[edge], edge, f.fields, f.up) == 0);
+  for (const ViewportEdge edge : kViewportEdges)
+    REQUIRE(leastClearingOffset(f.fields[edge], edge, f.fields, f.up) == 0);
   REQUIRE(leastClearingOffset(f.fields, f.up) == 0);
 }
 
 TEST_CASE("from the top, a block above the line decides, and only between the extension lines") {
   FrontView f;
   DistanceField& top = f.fields[ViewportEdge::kTop];
-  top.edit()[50] = 20;   // 30 px above the line
-  top.edit()[70] = 5;    // beside the wedge
+  top.edit()[50] = 20;  // 30 px above the line
+  top.edit()[70] = 5;   // beside the wedge
   f.build();
   REQUIRE(leastClearingOffset(top, ViewportEdge::kTop, f.fields, f.up) == Approx(3));
-  top.edit()[60] = 10;   // begins where the wedge ends: they touch
+  top.edit()[60] = 10;  // begins where the wedge ends: they touch
   f.build();
   REQUIRE(leastClearingOffset(top, ViewportEdge::kTop, f.fields, f.up) == Approx(4));
   top.edit()[60] = kNoSilhouette;
@@ -82,11 +84,11 @@ TEST_CASE("from the side, the far side of the last strip that reaches into the w
   FrontView f;
   DistanceField& left = f.fields[ViewportEdge::kLeft];
   for (std::size_t row = 25; row < 80; ++row) left.edit()[row] = 55;
-  left.edit()[20] = 60.5F;   // right of the wedge
+  left.edit()[20] = 60.5F;  // right of the wedge
   f.build();
-  REQUIRE(leastClearingOffset(left, ViewportEdge::kLeft, f.fields, f.up) == Approx(2.5));   // row 25 ends at y = 25
+  REQUIRE(leastClearingOffset(left, ViewportEdge::kLeft, f.fields, f.up) == Approx(2.5));  // row 25 ends at y = 25
   DistanceField& right = f.fields[ViewportEdge::kRight];
-  right.edit()[10] = 59;     // blocked up to x = 41
+  right.edit()[10] = 59;  // blocked up to x = 41
   f.build();
   REQUIRE(leastClearingOffset(right, ViewportEdge::kRight, f.fields, f.up) == Approx(4));
   right.edit()[10] = 60.5F;  // blocked up to x = 39.5
@@ -96,13 +98,13 @@ TEST_CASE("from the side, the far side of the last strip that reaches into the w
 
 TEST_CASE("the least over the four fields counts") {
   FrontView f;
-  f.fields[ViewportEdge::kTop].edit()[50] = 20;      // 3 m
-  f.fields[ViewportEdge::kLeft].edit()[30] = 45;     // row 30 ends at y = 30: 2 m
-  f.fields[ViewportEdge::kRight].edit()[5] = 20;     // 4.5 m
-  f.fields[ViewportEdge::kBottom].edit()[45] = 10;   // blocks all above y = 90: 5 m
+  f.fields[ViewportEdge::kTop].edit()[50] = 20;     // 3 m
+  f.fields[ViewportEdge::kLeft].edit()[30] = 45;    // row 30 ends at y = 30: 2 m
+  f.fields[ViewportEdge::kRight].edit()[5] = 20;    // 4.5 m
+  f.fields[ViewportEdge::kBottom].edit()[45] = 10;  // blocks all above y = 90: 5 m
   f.build();
   REQUIRE(leastClearingOffset(f.fields, f.up) == Approx(2));
-  f.fields[ViewportEdge::kLeft].edit()[30] = 0;      // touches the left edge, beside the wedge
+  f.fields[ViewportEdge::kLeft].edit()[30] = 0;  // touches the left edge, beside the wedge
   f.build();
   REQUIRE(leastClearingOffset(f.fields, f.up) == Approx(2));
 }
@@ -151,10 +153,11 @@ TEST_CASE("what cannot slide is none") {
   const View view = orthographicView(10, 100, 100);
   const Segment base{{-1, 0, 0}, {1, 0, 0}};
   REQUIRE(Slide::make(view, base, {0, 1, 0}));
-  REQUIRE_FALSE(Slide::make(view, base, {1, 0, 0}));                                   // parallel
-  REQUIRE_FALSE(Slide::make(view, base, {0, 0, 1}));                                   // edge-on
-  REQUIRE_FALSE(Slide::make(view, {{0, 0, 0}, {0, 0, 1}}, {1, 0, 0}));                 // edge-on as well: the line points at the viewer
-  REQUIRE_FALSE(Slide::make(view, {{1, 0, 0}, {1, 0, 0}}, {0, 1, 0}));                 // no length
+  REQUIRE_FALSE(Slide::make(view, base, {1, 0, 0}));  // parallel
+  REQUIRE_FALSE(Slide::make(view, base, {0, 0, 1}));  // edge-on
+  REQUIRE_FALSE(
+      Slide::make(view, {{0, 0, 0}, {0, 0, 1}}, {1, 0, 0}));  // edge-on as well: the line points at the viewer
+  REQUIRE_FALSE(Slide::make(view, {{1, 0, 0}, {1, 0, 0}}, {0, 1, 0}));  // no length
   Camera camera;
   camera.eye = {0, 0, 3};
   camera.target = {0, 0, 0};
@@ -163,10 +166,11 @@ TEST_CASE("what cannot slide is none") {
   bounds.add({1, 1, 5});
   const View inside(camera, 100, 100, bounds);
   REQUIRE(Slide::make(inside, base, {0, 1, 0}));
-  REQUIRE_FALSE(Slide::make(inside, {{-1, 0, 0}, {1, 0, 3.5}}, {0, 1, 0}));            // one end behind the viewer
+  REQUIRE_FALSE(Slide::make(inside, {{-1, 0, 0}, {1, 0, 3.5}}, {0, 1, 0}));  // one end behind the viewer
 }
 
-// --- Against brute force ----------------------------------------------------------------------------------------------
+// --- Against brute force
+// ----------------------------------------------------------------------------------------------
 
 /// A plain polygon on screen, cut by lines, one at a time.
 std::vector<Vec2> cutByForm(const std::vector<Vec2>& polygon, const Vec3& form) {
@@ -195,16 +199,20 @@ std::vector<Vec2> blockedBox(const DistanceFields& fields, ViewportEdge edge, st
   const double w = fields.widthPx;
   const double h = fields.heightPx;
   switch (edge) {
-    case ViewportEdge::kLeft: return {{value, low}, {w, low}, {w, low + 1}, {value, low + 1}};
-    case ViewportEdge::kRight: return {{0, low}, {w - value, low}, {w - value, low + 1}, {0, low + 1}};
-    case ViewportEdge::kTop: return {{low, value}, {low + 1, value}, {low + 1, h}, {low, h}};
-    case ViewportEdge::kBottom: return {{low, 0}, {low + 1, 0}, {low + 1, h - value}, {low, h - value}};
+    case ViewportEdge::kLeft:
+      return {{value, low}, {w, low}, {w, low + 1}, {value, low + 1}};
+    case ViewportEdge::kRight:
+      return {{0, low}, {w - value, low}, {w - value, low + 1}, {0, low + 1}};
+    case ViewportEdge::kTop:
+      return {{low, value}, {low + 1, value}, {low + 1, h}, {low, h}};
+    case ViewportEdge::kBottom:
+      return {{low, 0}, {low + 1, 0}, {low + 1, h - value}, {low, h - value}};
   }
   return {};
 }
 
-/// The wedge on screen is cut out of each strip's blocked box; the greatest offset over what is left is read off the intersection of the
-/// vertex's ray with the plane, in the world: no homography.
+/// The wedge on screen is cut out of each strip's blocked box; the greatest offset over what is left is read off the
+/// intersection of the vertex's ray with the plane, in the world: no homography.
 double bruteForce(const Case& c, ViewportEdge edge) {
   const Segment& base = c.slide.base();
   const Vec3 normal = glm::normalize(glm::cross(base.end - base.start, c.slide.across()));
@@ -217,10 +225,12 @@ double bruteForce(const Case& c, ViewportEdge edge) {
     const double value = c.fields[edge].at(strip);
     if (!(value < c.fields.extentPx(edge))) continue;
     std::vector<Vec2> polygon = blockedBox(c.fields, edge, strip);
-    for (const Vec3& form : {c.slide.uForm(), c.slide.wForm() - c.slide.uForm(), c.slide.tForm()}) polygon = cutByForm(polygon, form);
+    for (const Vec3& form : {c.slide.uForm(), c.slide.wForm() - c.slide.uForm(), c.slide.tForm()})
+      polygon = cutByForm(polygon, form);
     for (const Vec2& p : polygon) {
-      const bool onEdge = (edge == ViewportEdge::kLeft && p.x <= 0) || (edge == ViewportEdge::kRight && p.x >= c.fields.widthPx) ||
-                          (edge == ViewportEdge::kTop && p.y <= 0) || (edge == ViewportEdge::kBottom && p.y >= c.fields.heightPx);
+      const bool onEdge =
+          (edge == ViewportEdge::kLeft && p.x <= 0) || (edge == ViewportEdge::kRight && p.x >= c.fields.widthPx) ||
+          (edge == ViewportEdge::kTop && p.y <= 0) || (edge == ViewportEdge::kBottom && p.y >= c.fields.heightPx);
       if (onEdge && value <= 0) return kInfinity;
       const View::Ray ray = c.view.rayThrough(p);
       const double towards = glm::dot(ray.direction, normal);
@@ -242,19 +252,22 @@ void fillRandom(DistanceField& field, double extentPx, Random& random) {
   const double roughness = random.scaled(0.05, 20);
   for (std::size_t i = first; i < last; ++i) {
     if (random.chance(0.01)) value = level * random.real(0.3, 1.7);
-    value = std::clamp(value + random.real(-roughness, roughness), random.chance(0.001) ? 0.0 : 0.01 * extentPx, extentPx);
+    value =
+        std::clamp(value + random.real(-roughness, roughness), random.chance(0.001) ? 0.0 : 0.01 * extentPx, extentPx);
     values[i] = random.chance(0.01) ? kNoSilhouette : static_cast<float>(value);
   }
 }
 
-/// A random camera, plane, base line near the middle of the picture and fields around it; nothing where these make no slide.
+/// A random camera, plane, base line near the middle of the picture and fields around it; nothing where these make no
+/// slide.
 std::optional<Case> randomCase(Random& random) {
   Camera camera;
   const double sizeM = random.scaled(0.1, 1000);
   camera.target = random.point(Vec3(-sizeM), Vec3(sizeM));
   camera.fovRad = random.scaled(0.2, 100) * 0.017453292519943295;
   const bool orthographic = random.chance(0.25);
-  const double distance = orthographic ? sizeM * random.real(1, 10) : sizeM / std::tan(camera.fovRad / 2) * random.real(0.6, 3);
+  const double distance =
+      orthographic ? sizeM * random.real(1, 10) : sizeM / std::tan(camera.fovRad / 2) * random.real(0.6, 3);
   camera.eye = camera.target + random.direction() * distance;
   if (orthographic) camera.orthoHeightM = sizeM * random.real(1, 4);
   Bounds bounds;
@@ -267,7 +280,8 @@ std::optional<Case> randomCase(Random& random) {
   const Segment base{start, start + random.direction() * (sizeM * random.scaled(0.02, 0.8))};
   Vec3 across = random.direction();
   if (random.chance(0.7)) {
-    across = across - (base.end - base.start) * (glm::dot(across, base.end - base.start) / glm::dot(base.end - base.start, base.end - base.start));
+    across = across - (base.end - base.start) * (glm::dot(across, base.end - base.start) /
+                                                 glm::dot(base.end - base.start, base.end - base.start));
     across = glm::normalize(across);
   }
   const Vec3 normal = glm::cross(base.end - base.start, across);
@@ -286,7 +300,8 @@ double apartPx(const Case& c, double tA, double tB) {
   if (tA == tB) return 0;
   if (std::isinf(tA) || std::isinf(tB)) return kInfinity;
   double apart = 0;
-  for (const double u : {0.0, 1.0}) apart = std::max(apart, glm::length(across2(c.slide, c.view, u, tA) - across2(c.slide, c.view, u, tB)));
+  for (const double u : {0.0, 1.0})
+    apart = std::max(apart, glm::length(across2(c.slide, c.view, u, tA) - across2(c.slide, c.view, u, tB)));
   return apart;
 }
 
@@ -356,10 +371,14 @@ bool blocks(const DistanceFields& fields, ViewportEdge edge, const Vec2& p, doub
   const bool rows = edge == ViewportEdge::kLeft || edge == ViewportEdge::kRight;
   const double value = fields[edge].at(static_cast<std::size_t>(rows ? p.y : p.x)) + marginPx;
   switch (edge) {
-    case ViewportEdge::kLeft: return p.x > value;
-    case ViewportEdge::kRight: return p.x < fields.widthPx - value;
-    case ViewportEdge::kTop: return p.y > value;
-    case ViewportEdge::kBottom: return p.y < fields.heightPx - value;
+    case ViewportEdge::kLeft:
+      return p.x > value;
+    case ViewportEdge::kRight:
+      return p.x < fields.widthPx - value;
+    case ViewportEdge::kTop:
+      return p.y > value;
+    case ViewportEdge::kBottom:
+      return p.y < fields.heightPx - value;
   }
   return false;
 }
@@ -384,7 +403,8 @@ TEST_CASE("from the offset on the line clears the field, and just before it does
         if (c->view.depth(line.start) <= c->view.nearM() || c->view.depth(line.end) <= c->view.nearM()) break;
         for (int i = 0; i <= 300; ++i) {
           const Vec2 q = across2(c->slide, c->view, i / 300.0, t);
-          clear = clear && !(blocks(c->fields, edge, q, 1e-3) && blocks(c->fields, edge, q + 1e-3, 1e-3) && blocks(c->fields, edge, q - 1e-3, 1e-3));
+          clear = clear && !(blocks(c->fields, edge, q, 1e-3) && blocks(c->fields, edge, q + 1e-3, 1e-3) &&
+                             blocks(c->fields, edge, q - 1e-3, 1e-3));
         }
       }
       REQUIRE(clear);
@@ -392,7 +412,8 @@ TEST_CASE("from the offset on the line clears the field, and just before it does
       // Just before: some point of the line is in a blocked strip.
       const double before = offset - std::min(offset, 1e-3 * metresPerPx);
       bool blocked = false;
-      const double lengthPx = glm::length(across2(c->slide, c->view, 0, before) - across2(c->slide, c->view, 1, before));
+      const double lengthPx =
+          glm::length(across2(c->slide, c->view, 0, before) - across2(c->slide, c->view, 1, before));
       const int samples = 200 + static_cast<int>(std::min(lengthPx, 4000.0) * 50);
       for (int i = 0; i <= samples && !blocked; ++i) {
         const Vec2 q = across2(c->slide, c->view, static_cast<double>(i) / samples, before);

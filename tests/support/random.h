@@ -10,7 +10,7 @@ namespace dimline::test {
 
 /// Reproducible random numbers: the same with every standard library, unlike its distributions.
 class Random {
- public:
+public:
   explicit Random(std::uint32_t seed) : engine_(seed) {}
 
   /// In [low, high).
@@ -22,7 +22,9 @@ class Random {
   double scaled(double low, double high) { return std::exp(real(std::log(low), std::log(high))); }
 
   Vec2 point(const Vec2& low, const Vec2& high) { return {real(low.x, high.x), real(low.y, high.y)}; }
-  Vec3 point(const Vec3& low, const Vec3& high) { return {real(low.x, high.x), real(low.y, high.y), real(low.z, high.z)}; }
+  Vec3 point(const Vec3& low, const Vec3& high) {
+    return {real(low.x, high.x), real(low.y, high.y), real(low.z, high.z)};
+  }
   /// Even over the unit sphere.
   Vec3 direction() {
     const double y = real(-1, 1);
@@ -31,7 +33,7 @@ class Random {
     return {r * std::cos(angle), y, r * std::sin(angle)};
   }
 
- private:
+private:
   std::mt19937 engine_;
 };
 
