@@ -130,7 +130,7 @@ class Editor {
   /// The producer that measures at present: kCpu or kGpu.
   [[nodiscard]] FieldsFrom fieldsMeasuredBy() const;
   struct Timings {
-    double rebuildMs = 0, fieldsMs = 0, placeMs = 0, drawMs = 0;
+    double rebuildMs = 0, fieldsMs = 0, visibilityMs = 0, placeMs = 0, drawMs = 0;
   };
   [[nodiscard]] const Timings& timings() const;
 

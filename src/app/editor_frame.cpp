@@ -12,6 +12,10 @@ namespace {
 constexpr double kHoverMs = 100.0;
 constexpr double kHoverScale = 1.35;
 
+/// ms. While something moves, which scopes are seen is measured this often: it is the dearest part of a frame, and changes slowly. At rest it is always
+/// that of the present view.
+constexpr double kVisibilityIntervalMs = 60.0;
+
 }  // namespace
 
 bool Editor::frame(double nowMs) {
@@ -28,7 +32,8 @@ bool Editor::frame(double nowMs) {
   s.animate(view);
   s.paceQuality();
   s.draw(view);
-  return !atRest();
+  s.restedLastFrame = atRest();
+  return !s.restedLastFrame;
 }
 
 bool Editor::atRest() const {
@@ -36,7 +41,7 @@ bool Editor::atRest() const {
   if (!s.loaded) return true;
   if (s.sceneStale) return false;
   if (!s.hasSize()) return true;
-  return !s.viewStale && s.fieldSource.current() && !s.fieldSource.pending() && s.animator.atRest() && !s.hoverAnimating() &&
+  return !s.viewStale && !s.visibilityStale && s.fieldSource.current() && !s.fieldSource.pending() && s.animator.atRest() && !s.hoverAnimating() &&
          !s.wantsBetterPicture() && !(s.renderer && s.pictureStale);
 }
 
@@ -59,25 +64,35 @@ void Editor::State::measureAndPlace(const View& view) {
     pictureStale = true;
   }
   const bool moved = std::exchange(viewStale, false);
+  if (moved) visibilityStale = true;
   const bool arrived = fieldSource.update(view, moved, devicePixelRatio, renderer.get());
   if (arrived) {
     timings.fieldsMs = fieldSource.measuredMs();
-    placeOn(fieldSource.view());
+    placeOn(fieldSource.view(), moved);
+  } else if (!moved && visibilityStale && fieldSource.current()) {
+    placeOn(fieldSource.view(), false);
   } else if (moved && placedOnce && fieldSource.fields().widthPx == static_cast<int>(std::ceil(widthPx)) &&
              fieldSource.fields().heightPx == static_cast<int>(std::ceil(heightPx))) {
     // The fields are still on their way. Base lines of a rebuilt model must not wait for them, so the last ones serve once more.
-    placeOn(fieldSource.view());
+    placeOn(fieldSource.view(), true);
   }
 }
 
-void Editor::State::placeOn(const View& view) {
+void Editor::State::placeOn(const View& view, bool moving) {
   const Stopwatch watch;
-  visibility.measure(scene, view, scopesSeen);
+  const bool fits = scopesSeen.seenShare.size() == scene.scopes.size();
+  if (!moving || !fits || !placedOnce || restedLastFrame || nowMs - visibilityMeasuredMs >= kVisibilityIntervalMs) {
+    visibility.measure(scene, view, scopesSeen);
+    visibilityMeasuredMs = nowMs;
+    visibilityStale = !fieldSource.current();
+    timings.visibilityMs = watch.ms();
+  }
+  const Stopwatch placeWatch;
   const auto held = drag ? drag->lineOn(scene, values, view) : std::nullopt;
   const bool inChain = held && held->chain >= 0;
   placer.place(view, fieldSource.fields(), values, placed, &scopesSeen, held && !inChain ? &*held : nullptr);
   if (inChain) holdMember(*held);
-  timings.placeMs = watch.ms();
+  timings.placeMs = placeWatch.ms();
   placedOnce = true;
   pictureStale = true;
 }

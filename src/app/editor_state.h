@@ -80,6 +80,9 @@ struct Editor::State {
   FieldSource fieldSource;
   CpuVisibility visibility;
   ScopeVisibility scopesSeen;
+  bool visibilityStale = true;          ///< `scopesSeen` is of an earlier view or scene
+  double visibilityMeasuredMs = 0;
+  bool restedLastFrame = true;
   Placer placer;
   Layout placed;                        ///< as the placer gave it, with the dragged line held
   Layout drawn;
@@ -124,7 +127,7 @@ struct Editor::State {
   // editor_frame.cpp
   void rebuild();
   void measureAndPlace(const View& view);
-  void placeOn(const View& view);
+  void placeOn(const View& view, bool moving);
   void holdMember(const PlacedLine& held);
   void animate(const View& view);
   void clearLines();

@@ -81,7 +81,7 @@ JsonWriter& JsonWriter::value(double number) {
   if (number == 0.0) return raw("0");   // never "-0"
   char buffer[32];
   int length = 0;
-  for (const int digits : {6, 15, 16, 17}) {
+  for (const int digits : {15, 17}) {
     length = std::snprintf(buffer, sizeof buffer, "%.*g", digits, number);
     if (std::strtod(buffer, nullptr) == number) break;
   }

@@ -14,7 +14,7 @@ namespace dimline {
 ///     json.beginObject().key("name").value("house").key("size").value(Vec2(3, 4)).endObject();
 ///     json.text()   // {"name":"house","size":[3,4]}
 ///
-/// Numbers are written with as few digits as give the same double back; one that is not finite becomes null, which is all JSON has for it. Text must be
+/// Numbers are written so that the same double is read back, with 15 digits where they do; one that is not finite becomes null, which is all JSON has for it. Text must be
 /// UTF-8; broken bytes become U+FFFD.
 class JsonWriter {
  public:

@@ -1,6 +1,7 @@
 #include "app/line_animator.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "editing/line_projection.h"
 
@@ -53,9 +54,10 @@ void LineAnimator::update(const Layout& placed, std::span<const Scope> scopes, c
 
   const bool same = sameView(placed.view, view);
   drawn.view = view;
+  drawn.others = placed.others;
   drawn.hidden = placed.hidden;
   drawn.visibleScopes = placed.visibleScopes;
-  drawn.lines.resize(placed.lines.size());
+  resize(drawn.lines, placed.lines.size());
   opacities_.resize(placed.lines.size());
   std::size_t kept = 0;
   for (std::size_t i = 0; i < placed.lines.size(); ++i) {
@@ -67,7 +69,7 @@ void LineAnimator::update(const Layout& placed, std::span<const Scope> scopes, c
     if (opacities_[kept] < 1.0) atRest_ = false;
     ++kept;
   }
-  drawn.lines.resize(kept);
+  resize(drawn.lines, kept);
   opacities_.resize(kept);
   next_.resize(kept);
   tracked_.swap(next_);
@@ -90,7 +92,7 @@ std::optional<std::size_t> LineAnimator::findBefore(const PlacedLine& line, std:
 }
 
 /// Finds each placed line among those of the last frame. What is left of those fades.
-void LineAnimator::match(const Layout& placed, std::span<const Scope> scopes, double nowMs, bool animate, const Layout& drawn) {
+void LineAnimator::match(const Layout& placed, std::span<const Scope> scopes, double nowMs, bool animate, Layout& drawn) {
   next_.assign(placed.lines.size(), {});
   changed_.assign(placed.lines.size(), true);
   taken_.assign(tracked_.size(), false);
@@ -121,7 +123,9 @@ void LineAnimator::match(const Layout& placed, std::span<const Scope> scopes, do
     line.scopeIndex = scopes[placed.lines[i].scope].index;
   }
   for (std::size_t j = 0; j < tracked_.size(); ++j) {
-    if (!taken_[j]) fading_.push_back({drawn.lines[j], opacities_[j], nowMs, opacities_[j]});
+    if (taken_[j]) continue;
+    // Everything in `drawn` is about to be written anew, so that the line itself can be taken.
+    fading_.push_back({std::exchange(drawn.lines[j], takeSpare()), opacities_[j], nowMs, opacities_[j]});
   }
 }
 
@@ -162,11 +166,30 @@ bool LineAnimator::drawLine(const PlacedLine& placed, const View& view, bool sam
 void LineAnimator::fade(const View& view, double nowMs) {
   std::erase_if(fading_, [&](FadingLine& f) {
     f.opacity = f.startOpacity * (1.0 - std::clamp((nowMs - f.startMs) / kFadeMs, 0.0, 1.0));
-    if (f.opacity <= 0.0 || !canProject(f.line, view)) return true;
+    if (f.opacity <= 0.0 || !canProject(f.line, view)) {
+      spares_.push_back(std::move(f.line));
+      return true;
+    }
     projectLine(f.line, view, labelAnchor(f.line));
     return false;
   });
   if (!fading_.empty()) atRest_ = false;
+}
+
+/// As vector::resize, but what the lines hold is kept for later.
+void LineAnimator::resize(std::vector<PlacedLine>& lines, std::size_t size) {
+  while (lines.size() > size) {
+    spares_.push_back(std::move(lines.back()));
+    lines.pop_back();
+  }
+  while (lines.size() < size) lines.push_back(takeSpare());
+}
+
+PlacedLine LineAnimator::takeSpare() {
+  if (spares_.empty()) return {};
+  PlacedLine line = std::move(spares_.back());
+  spares_.pop_back();
+  return line;
 }
 
 }  // namespace dimline

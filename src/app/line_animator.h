@@ -56,11 +56,13 @@ class LineAnimator {
     double startOpacity = 1;
   };
 
-  void match(const Layout& placed, std::span<const Scope> scopes, double nowMs, bool animate, const Layout& drawn);
+  void match(const Layout& placed, std::span<const Scope> scopes, double nowMs, bool animate, Layout& drawn);
   [[nodiscard]] std::optional<std::size_t> findBefore(const PlacedLine& line, std::uint32_t scopeIndex, std::size_t hint,
                                                        bool exactly) const;
   bool drawLine(const PlacedLine& placed, const View& view, bool sameView, double nowMs, Tracked& tracked, PlacedLine& drawn);
   void fade(const View& view, double nowMs);
+  void resize(std::vector<PlacedLine>& lines, std::size_t size);
+  [[nodiscard]] PlacedLine takeSpare();
 
   bool reducedMotion_ = false;
   bool fresh_ = true;                ///< the next frame's lines appear at once
@@ -71,6 +73,7 @@ class LineAnimator {
   std::vector<bool> changed_;        ///< parallel to next_: its place is another one than in the last frame
   std::vector<double> opacities_;
   std::vector<FadingLine> fading_;
+  std::vector<PlacedLine> spares_;   ///< lines that are not needed now, for the memory they hold
 };
 
 }  // namespace dimline

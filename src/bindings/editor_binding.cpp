@@ -257,6 +257,7 @@ class EditorBinding {
     JsonWriter json;
     json.beginObject();
     json.key("rebuildMs").value(timings.rebuildMs).key("fieldsMs").value(timings.fieldsMs);
+    json.key("visibilityMs").value(timings.visibilityMs);
     json.key("placeMs").value(timings.placeMs).key("drawMs").value(timings.drawMs);
     json.key("fieldsFrom").value(nameIn(kFieldsFrom, editor_.fieldsMeasuredBy()));
     return json.endObject().take();
