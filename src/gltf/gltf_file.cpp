@@ -96,11 +96,16 @@ struct TextureUse {
   glm::mat3 transform{1.0F};
 };
 
+/// A number of an extension, kept to what makes sense as texture coordinates.
+float coordinateOf(const tinygltf::Value& value) {
+  return static_cast<float>(std::clamp(value.GetNumberAsDouble(), -1e6, 1e6));
+}
+
 glm::vec2 vec2Of(const tinygltf::Value& extension, const char* name, glm::vec2 whenMissing) {
   if (!extension.Has(name)) return whenMissing;
   const tinygltf::Value& value = extension.Get(name);
   if (value.ArrayLen() != 2 || !value.Get(0).IsNumber() || !value.Get(1).IsNumber()) return whenMissing;
-  return {static_cast<float>(value.Get(0).GetNumberAsDouble()), static_cast<float>(value.Get(1).GetNumberAsDouble())};
+  return {coordinateOf(value.Get(0)), coordinateOf(value.Get(1))};
 }
 
 void readTextureTransform(const tinygltf::TextureInfo& info, TextureUse& use) {
@@ -111,10 +116,11 @@ void readTextureTransform(const tinygltf::TextureInfo& info, TextureUse& use) {
   const glm::vec2 scale = vec2Of(extension, "scale", glm::vec2(1.0F));
   float angle = 0;
   if (extension.Has("rotation") && extension.Get("rotation").IsNumber()) {
-    angle = static_cast<float>(extension.Get("rotation").GetNumberAsDouble());
+    angle = coordinateOf(extension.Get("rotation"));
   }
-  if (extension.Has("texCoord") && extension.Get("texCoord").IsInt())
+  if (extension.Has("texCoord") && extension.Get("texCoord").IsInt()) {
     use.texCoord = extension.Get("texCoord").GetNumberAsInt();
+  }
   const float c = std::cos(angle), s = std::sin(angle);
   use.transform =
       glm::mat3(glm::vec3(c * scale.x, -s * scale.x, 0), glm::vec3(s * scale.y, c * scale.y, 0), glm::vec3(offset, 1));

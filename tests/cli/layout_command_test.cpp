@@ -192,6 +192,15 @@ TEST_CASE("GPU fields give a layout too") {
   CHECK(!layout["frames"][0]["lines"].empty());
 }
 
+TEST_CASE("GPU fields where there is no GL are an error that names the way out") {
+  // The loader of EGL drivers then finds none.
+  const Run run =
+      runProgram({"layout", "house", "--fields", "gpu", "-o", "-"}, {{"__EGL_VENDOR_LIBRARY_FILENAMES", "/dev/null"}});
+  CHECK(run.status == 1);
+  CHECK(run.out.empty());
+  CHECK(run.err.find("use --fields cpu.\n") != std::string::npos);
+}
+
 TEST_CASE("an output file is written whole or not at all") {
   const TemporaryFolder folder;
   const std::string old = folder.file("out.json", "what was there");

@@ -14,7 +14,8 @@
 
 namespace dimline::test {
 
-Run runProgram(const std::vector<std::string>& arguments) {
+Run runProgram(const std::vector<std::string>& arguments,
+               const std::vector<std::pair<std::string, std::string>>& environment) {
   const TemporaryFolder folder;
   const std::string outPath = folder / "out", errPath = folder / "err";
   std::vector<std::string> texts = {DIMLINE_PROGRAM};
@@ -30,6 +31,7 @@ Run runProgram(const std::vector<std::string>& arguments) {
     const int err = open(errPath.c_str(), O_WRONLY | O_CREAT, 0600);
     dup2(out, STDOUT_FILENO);
     dup2(err, STDERR_FILENO);
+    for (const auto& [name, value] : environment) setenv(name.c_str(), value.c_str(), 1);
     execv(DIMLINE_PROGRAM, argv.data());
     _exit(127);
   }

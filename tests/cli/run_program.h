@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <nlohmann/json.hpp>
@@ -14,8 +15,9 @@ struct Run {
   std::string err;
 };
 
-/// Runs the `dimline` that was built, and waits for it. No shell has a hand in the arguments.
-Run runProgram(const std::vector<std::string>& arguments);
+/// Runs the `dimline` that was built, and waits for it. No shell has a hand in the arguments. `environment`: variables to set, NAME and value.
+Run runProgram(const std::vector<std::string>& arguments,
+               const std::vector<std::pair<std::string, std::string>>& environment = {});
 
 /// A folder of its own for one test case, removed with all that is in it.
 class TemporaryFolder {
