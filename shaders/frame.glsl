@@ -7,6 +7,7 @@ layout(std140) uniform Frame {
   vec4 viewport;
   vec4 ground;
   vec4 groundFade;
+  vec4 groundAcross;
   vec4 groundSquare;
   vec4 skyOrigin;
   vec4 skyScale;

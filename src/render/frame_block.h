@@ -15,7 +15,8 @@ struct FrameBlock {
   glm::vec4 sun{0.0F};               ///< unit direction to the sun; size of a shadow map texel (m)
   glm::vec4 viewport{1.0F};          ///< width and height in device px; device px per CSS px; device px per metre where clip w is 1
   glm::vec4 ground{0.0F};            ///< middle (x, z), height, and the radius (m) at which the ground has faded away
-  glm::vec4 groundFade{0.0F};        ///< opacity of the ground as a whole
+  glm::vec4 groundFade{0.0F};        ///< opacity of the ground as a whole; of the line that stands for it when it is seen edge-on; 0; 0
+  glm::vec4 groundAcross{0.0F};      ///< half of that line, from the ground's middle to the right (m)
   glm::vec4 groundSquare{0.0F};      ///< what the ground's texture covers: middle (x, z), half size (m)
   glm::vec4 skyOrigin{0.0F};         ///< corner of the sky volume, and the spacing of its points (m)
   glm::vec4 skyScale{1.0F};          ///< from metres to its coordinates

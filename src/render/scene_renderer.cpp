@@ -47,10 +47,13 @@ SceneRenderer::SceneRenderer(const GlContext& context)
       depth_(context, {.label = "depth", .vertex = {shaders::instance_glsl, shaders::frame_glsl, shaders::depth_vert}, .fragment = {shaders::depth_frag}}),
       groundProgram_(context, {.label = "ground",
                                .vertex = {shaders::frame_glsl, shaders::ground_vert},
-                               .fragment = {shaders::frame_glsl, shaders::tone_glsl, shaders::ground_frag}}) {}
+                               .fragment = {shaders::frame_glsl, shaders::tone_glsl, shaders::ground_frag}}),
+      groundLine_(context, {.label = "ground line",
+                            .vertex = {shaders::frame_glsl, shaders::ground_line_vert},
+                            .fragment = {shaders::frame_glsl, shaders::ground_line_frag}}) {}
 
 Status SceneRenderer::prepare() {
-  for (Program* program : {&background_, &depth_, &groundProgram_}) {
+  for (Program* program : {&background_, &depth_, &groundProgram_, &groundLine_}) {
     if (Status status = program->status(); !status) return status;
     program->bindBlock("Frame", kFrameBlockBinding);
   }
@@ -119,8 +122,12 @@ void SceneRenderer::fillFrameBlock(const GpuScene& scene, const View& view, cons
   frame_.ground = {center.x, center.z, height, std::max(bounds.diagonal(), 1e-3) * kGroundRadius};
   // Seen from under it the ground would hide the model: it fades away before the eye gets there.
   const Vec3 toViewer = -view.directionTo({center.x, height, center.z});
-  const double opacity = ground && !bounds.empty() ? std::clamp((toViewer.y - 0.005) / 0.06, 0.0, 1.0) : 0.0;
-  frame_.groundFade = glm::vec4(static_cast<float>(opacity));
+  const double shown = ground && !bounds.empty() ? 1.0 : 0.0;
+  const double opacity = shown * std::clamp((toViewer.y - 0.005) / 0.06, 0.0, 1.0);
+  const double lineOpacity = shown * std::clamp(1.0 - std::abs(toViewer.y) / 0.05, 0.0, 1.0);
+  frame_.groundFade = {opacity, lineOpacity, 0, 0};
+  const Vec3 across(view.right().x, 0, view.right().z);
+  frame_.groundAcross = glm::vec4(glm::vec3(across * (0.75 * bounds.diagonal())), 0.0F);
   frame_.groundSquare = sky_.groundSquare();
   frame_.skyOrigin = glm::vec4(sky_.volumeOrigin(), sky_.voxelM());
   frame_.skyScale = glm::vec4(sky_.volumeScale(), 0.0F);
@@ -155,13 +162,17 @@ Status SceneRenderer::draw(const GpuScene& scene, const View& view, const Theme&
   glBindVertexArray(noVertices_.id());
   background_.use();
   glDrawArrays(GL_TRIANGLES, 0, 3);
+  glEnable(GL_BLEND);
+  glBlendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   if (frame_.groundFade.x > 0.0F) {
-    glEnable(GL_BLEND);
-    glBlendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
     groundProgram_.use();
     glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
-    glDisable(GL_BLEND);
   }
+  if (frame_.groundFade.y > 0.0F) {
+    groundLine_.use();
+    glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+  }
+  glDisable(GL_BLEND);
 
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LEQUAL);

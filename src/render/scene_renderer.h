@@ -59,7 +59,7 @@ class SceneRenderer {
   EdgeRenderer edges_;
   bool shadowStale_ = true;
   std::optional<LightDetail> lightDetail_;   ///< that of the present scene; nothing: not worked out yet
-  Program background_, depth_, groundProgram_;
+  Program background_, depth_, groundProgram_, groundLine_;
   std::array<SurfacePrograms, kPatterns> surfaces_;   ///< by pattern
 };
 

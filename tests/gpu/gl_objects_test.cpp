@@ -2,7 +2,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "gpu/gl_test_context.h"
+#include "support/gl_test_context.h"
 #include "gpu/gpu_scene.h"
 #include "gpu/program.h"
 #include "support/village.h"

@@ -6,7 +6,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "gpu/gl_test_context.h"
+#include "support/gl_test_context.h"
 #include "silhouette/coverage_mask.h"
 #include "silhouette/cpu_fields.h"
 #include "support/random.h"

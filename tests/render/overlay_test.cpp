@@ -1,0 +1,196 @@
+#include "render/overlay.h"
+
+#include <limits>
+
+#include <catch2/catch.hpp>
+
+#include "core/constants.h"
+
+using namespace dimline;
+using Kind = OverlayShape::Kind;
+
+namespace {
+
+/// Colours that can be told apart, without opacity of their own.
+Theme testTheme() {
+  Theme theme;
+  theme.line = srgb(0x000001);
+  theme.lineHovered = srgb(0x000002);
+  theme.extension = srgb(0x000003);
+  theme.handle = srgb(0x000004);
+  theme.handleHovered = srgb(0x000005);
+  theme.halo = srgb(0x000006);
+  return theme;
+}
+
+/// The blue byte, which tells testTheme's colours apart.
+unsigned inkOf(const OverlayShape& shape) { return (shape.rgba >> 16U) & 255U; }
+unsigned opacityOf(const OverlayShape& shape) { return shape.rgba >> 24U; }
+
+std::vector<OverlayShape> build(const OverlayLine& line) {
+  std::vector<OverlayShape> shapes;
+  buildOverlay({&line, 1}, testTheme(), shapes);
+  return shapes;
+}
+
+std::vector<OverlayShape> withInk(const std::vector<OverlayShape>& shapes, unsigned ink) {
+  std::vector<OverlayShape> found;
+  for (const OverlayShape& shape : shapes) {
+    if (inkOf(shape) == ink) found.push_back(shape);
+  }
+  return found;
+}
+
+OverlayLine lineFrom(const Vec2& start, const Vec2& end) {
+  OverlayLine line;
+  line.line = {start, end};
+  return line;
+}
+
+}  // namespace
+
+TEST_CASE("a line is a stroke between two arrowheads whose tips are its ends; only the draggable one has the handle's colour") {
+  const std::vector<OverlayShape> shapes = build(lineFrom({100, 50}, {300, 50}));
+  const std::vector<OverlayShape> dark = withInk(shapes, 1);
+  const std::vector<OverlayShape> orange = withInk(shapes, 4);
+  REQUIRE(dark.size() == 2);
+  REQUIRE(orange.size() == 1);
+  CHECK(dark[0].kind == Kind::kStroke);
+  CHECK(dark[0].startPx.x > 100.0F);
+  CHECK(dark[0].endPx.x < 300.0F);
+  CHECK(dark[1].kind == Kind::kArrow);
+  CHECK(dark[1].startPx == glm::vec2(100, 50));
+  CHECK(dark[1].endPx == glm::vec2(100 + kArrowLengthPx, 50));
+  CHECK(orange[0].startPx == glm::vec2(300, 50));
+  CHECK(orange[0].endPx == glm::vec2(300 - kArrowLengthPx, 50));
+  CHECK(orange[0].halfWidthPx == Approx(kArrowHalfWidthPx));
+}
+
+TEST_CASE("the stroke ends where the arrowheads are wide enough to hide its corners") {
+  for (const OverlayShape& stroke : withInk(build(lineFrom({0, 0}, {200, 0})), 1)) {
+    if (stroke.kind != Kind::kStroke) continue;
+    const float intoArrow = stroke.startPx.x;
+    const auto arrowHalfWidth = static_cast<float>(kArrowHalfWidthPx / kArrowLengthPx) * intoArrow;
+    CHECK(arrowHalfWidth > stroke.halfWidthPx);
+    CHECK(intoArrow < static_cast<float>(kArrowLengthPx));
+  }
+}
+
+TEST_CASE("a line is interrupted around its label, with padding") {
+  OverlayLine line = lineFrom({100, 50}, {300, 50});
+  line.label = Box2{{180, 40}, {220, 60}};
+  std::vector<OverlayShape> strokes;
+  for (const OverlayShape& shape : withInk(build(line), 1)) {
+    if (shape.kind == Kind::kStroke) strokes.push_back(shape);
+  }
+  REQUIRE(strokes.size() == 2);
+  CHECK(strokes[0].endPx.x == Approx(180 - kLabelPaddingPx));
+  CHECK(strokes[1].endPx.x == Approx(220 + kLabelPaddingPx));
+  CHECK(strokes[1].startPx.x > 285.0F);   // from its own arrowhead inwards
+}
+
+TEST_CASE("a label beside a line leaves it whole") {
+  OverlayLine line = lineFrom({100, 50}, {300, 50});
+  line.label = Box2{{310, 40}, {350, 60}};
+  CHECK(withInk(build(line), 1).size() == 2);
+  line.label = Box2{{180, 70}, {220, 90}};
+  CHECK(withInk(build(line), 1).size() == 2);
+}
+
+TEST_CASE("extension lines stand off the base line and run past the final line") {
+  OverlayLine line = lineFrom({100, 50}, {300, 50});
+  const std::vector<Vec2> start{{100, 150}, {100, 50}};
+  const std::vector<Vec2> end{{300, 150}, {320, 100}, {300, 50}};
+  line.extensionStart = start;
+  line.extensionEnd = end;
+  const std::vector<OverlayShape> extensions = withInk(build(line), 3);
+  REQUIRE(extensions.size() == 3);
+  CHECK(extensions[0].startPx == glm::vec2(100, 150 - kExtensionGapPx));
+  CHECK(extensions[0].endPx == glm::vec2(100, 50 - kExtensionOvershootPx));
+  CHECK(extensions[1].endPx == glm::vec2(320, 100));
+  CHECK(extensions[2].startPx == glm::vec2(320, 100));
+  CHECK(extensions[2].endPx.y < 50.0F);
+}
+
+TEST_CASE("an extension line shorter than its gap is left out") {
+  OverlayLine line = lineFrom({100, 50}, {300, 50});
+  const std::vector<Vec2> start{{100, 53}, {100, 50}};
+  line.extensionStart = start;
+  CHECK(withInk(build(line), 3).empty());
+}
+
+TEST_CASE("an indirect line is stippled") {
+  OverlayLine line = lineFrom({0, 0}, {200, 0});
+  CHECK(withInk(build(line), 1)[0].dashPx == 0.0F);
+  line.indirect = true;
+  CHECK(withInk(build(line), 1)[0].dashPx > 0.0F);
+}
+
+TEST_CASE("hovering changes the colours and widens the stroke; the handle's size is the caller's") {
+  OverlayLine line = lineFrom({0, 0}, {200, 0});
+  const float atRest = withInk(build(line), 1)[0].halfWidthPx;
+  line.hovered = true;
+  line.handleScale = 1.5F;
+  const std::vector<OverlayShape> shapes = build(line);
+  CHECK(withInk(shapes, 1).empty());
+  CHECK(withInk(shapes, 2)[0].halfWidthPx > atRest);
+  const std::vector<OverlayShape> handles = withInk(shapes, 5);
+  REQUIRE(handles.size() == 1);
+  CHECK(glm::length(handles[0].endPx - handles[0].startPx) == Approx(1.5 * kArrowLengthPx));
+}
+
+TEST_CASE("the arrowheads of a short line leave something of it between them") {
+  for (const double length : {4.0, 8.0, 15.0, 23.0}) {
+    OverlayLine line = lineFrom({0, 0}, {length, 0});
+    line.handleScale = 2.0F;
+    double arrows = 0;
+    for (const OverlayShape& shape : build(line)) {
+      if (shape.kind == Kind::kArrow && inkOf(shape) != 6) arrows += static_cast<double>(glm::length(shape.endPx - shape.startPx));
+    }
+    CHECK(arrows > 0.3 * length);
+    CHECK(arrows < 0.8 * length);
+  }
+}
+
+TEST_CASE("all halos lie under all ink") {
+  std::vector<OverlayLine> lines{lineFrom({0, 0}, {100, 0}), lineFrom({50, -50}, {50, 50})};
+  std::vector<OverlayShape> shapes;
+  buildOverlay(lines, testTheme(), shapes);
+  std::size_t lastHalo = 0;
+  std::size_t firstInk = shapes.size();
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
+    if (inkOf(shapes[i]) == 6) {
+      lastHalo = i;
+    } else {
+      firstInk = std::min(firstInk, i);
+    }
+  }
+  CHECK(lastHalo + 1 == firstInk);
+}
+
+TEST_CASE("the halo of an arrowhead keeps the same distance on all three sides") {
+  OverlayLine line = lineFrom({0, 0}, {100, 0});
+  OverlayShape halo;
+  OverlayShape arrow;
+  for (const OverlayShape& shape : build(line)) {
+    if (shape.kind != Kind::kArrow || shape.endPx.x > 50.0F) continue;
+    (inkOf(shape) == 6 ? halo : arrow) = shape;
+  }
+  const float back = halo.endPx.x - arrow.endPx.x;
+  REQUIRE(back > 0.0F);
+  // The slanted sides are parallel; their distance is that of the tips along the axis times the sine of half the tip's angle.
+  const float slope = arrow.halfWidthPx / arrow.endPx.x;
+  CHECK(halo.halfWidthPx / (halo.endPx.x - halo.startPx.x) == Approx(slope));
+  CHECK((arrow.startPx.x - halo.startPx.x) * slope / std::sqrt(1 + slope * slope) == Approx(back));
+}
+
+TEST_CASE("opacity fades every part of a line; what cannot be seen is left out") {
+  OverlayLine line = lineFrom({0, 0}, {100, 0});
+  line.opacity = 0.5F;
+  for (const OverlayShape& shape : build(line)) CHECK(opacityOf(shape) == 128);
+  line.opacity = 0.0F;
+  CHECK(build(line).empty());
+  CHECK(build(lineFrom({3, 3}, {3, 3})).empty());
+  CHECK(build(lineFrom({0, 0}, {std::numeric_limits<double>::quiet_NaN(), 0})).empty());
+  CHECK(build(lineFrom({0, 0}, {std::numeric_limits<double>::infinity(), 0})).empty());
+}
