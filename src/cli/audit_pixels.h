@@ -26,7 +26,8 @@ public:
   [[nodiscard]] double distancePx(const Segment2& segment) const;
 
   /// Whether all of a segment lies in the picture and at least so far (px) from the model. Walks along the segment in
-  /// steps of a pixel or more, between the pixels' distances interpolated: within 0.3 px of distancePx().
+  /// steps of a pixel or more, between the pixels' distances interpolated: it finds a segment at most 0.3 px farther
+  /// than distancePx(), and at most half a pixel nearer (midway between two parts of the model).
   [[nodiscard]] bool keepsDistance(const Segment2& segment, double leastPx) const;
 
   /// Whether a segment passes through a pixel of the eroded mask: one that is covered, and all its neighbours in the

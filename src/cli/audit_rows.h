@@ -94,7 +94,7 @@ const RowDefinition& definition(AuditRow row);
 
 /// Where in the audit a frame is.
 struct FrameName {
-  std::string flight;  ///< "elevation 10", "RoofPitch=45 elevation 10", "flight 3, 640x480, 0.7 deg"
+  std::string flight{};  ///< "elevation 10", "RoofPitch=45 elevation 10", "flight 3, 640x480, 0.7 deg"
   int frame = 0;
   double azimuthDeg = 0;
   double elevationDeg = 0;

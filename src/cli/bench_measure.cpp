@@ -19,7 +19,7 @@ using Clock = std::chrono::steady_clock;
 
 constexpr double kElevationDeg = 30.0;
 constexpr double kSidePx = 1000.0;
-constexpr std::size_t kStraightforwardFrames = 12;
+constexpr std::size_t kStraightforwardFrames = 12;  // no multiple of 5
 constexpr double kStraightforwardBudgetMs = 4000.0;
 constexpr double kRepeatBudgetMs = 1500.0;
 constexpr int kPreprocessRepeats = 15;
@@ -65,9 +65,10 @@ void timeStraightforward(const Model& model, const Scene& scene, const std::vect
   Straightforward straightforward(model, scene);
   std::vector<double> samples;
   double spentMs = 0;
-  for (std::size_t i = 0; i < kStraightforwardFrames && spentMs < kStraightforwardBudgetMs; ++i) {
+  const std::size_t most = std::min(kStraightforwardFrames, views.size());
+  for (std::size_t i = 0; i < most && spentMs < kStraightforwardBudgetMs; ++i) {
     // So that a few frames stand for the whole way round, far ones come one after the other.
-    const std::size_t frame = (i * 5 % kStraightforwardFrames) * views.size() / kStraightforwardFrames;
+    const std::size_t frame = (i * 5 % most) * views.size() / most;
     samples.push_back(timeMs([&] { straightforward.place(views[frame]); }));
     spentMs += samples.back();
   }

@@ -1,0 +1,124 @@
+#include <catch2/catch.hpp>
+
+#include "cli/bench_measure.h"
+#include "cli/bench_scenes.h"
+#include "cli/bench_straightforward.h"
+#include "cli/run_program.h"
+#include "support/scenes.h"
+
+namespace dimline::test {
+namespace {
+
+TEST_CASE("bench: the median") {
+  CHECK_FALSE(median({}));
+  CHECK(*median({3.0}) == 3.0);
+  CHECK(*median({9.0, 1.0, 5.0}) == 5.0);
+}
+
+TEST_CASE("bench: the straightforward version finds the silhouette's end in the wedge") {
+  // A box from x = -4 to 4, seen straight from the front.
+  const auto model = makeModel(boxWithDoor());
+  const Scene scene = model->definition.build(Values(model->parameters()));
+  Camera camera;
+  camera.eye = {0, 2.5, 40};
+  camera.target = {0, 2.5, 0};
+  camera.orthoHeightM = 20;
+  const View view(camera, 1000, 1000, scene.bounds);
+  Straightforward straightforward(*model, scene);
+  const Segment left{{-4, 0, 3}, {-4, 5, 3}};
+  const auto offset = [&](const Segment& base, const Vec3& across) {
+    const auto slide = Slide::make(view, base, across);
+    REQUIRE(slide);
+    return straightforward.leastOffsetM(*slide, view);
+  };
+  CHECK(offset(left, {-1, 0, 0}) == Approx(0.0).margin(1e-6));
+  CHECK(offset(left, {1, 0, 0}) == Approx(8.0));
+  CHECK(offset({{-1, 0, 3}, {-1, 5, 3}}, {1, 0, 0}) == Approx(5.0));
+  CHECK(offset({{-1, 6, 3}, {-1, 7, 3}}, {1, 0, 0}) == 0.0);  // nothing beside it
+  const Straightforward::Frame frame = straightforward.place(view);
+  CHECK(frame.candidates > 10);
+  CHECK(frame.sumM > 0);
+}
+
+TEST_CASE("bench: models of any size") {
+  for (const std::size_t triangles : {1000U, 20000U}) {
+    const auto model = makeModel(columnField(triangles));
+    const Scene scene = model->definition.build(Values(model->parameters()));
+    CHECK(static_cast<double>(scene.triangleCount()) == Approx(static_cast<double>(triangles)).epsilon(0.25));
+    CHECK(statisticsOf(*model, scene).baseLines == 16);
+    for (const Mesh& mesh : scene.meshes) {
+      for (const auto& triangle : mesh.triangles) {
+        const glm::vec3 middle =
+            (mesh.positions[triangle[0]] + mesh.positions[triangle[1]] + mesh.positions[triangle[2]]) / 3.0F;
+        const glm::vec3 normal = glm::cross(mesh.positions[triangle[1]] - mesh.positions[triangle[0]],
+                                            mesh.positions[triangle[2]] - mesh.positions[triangle[0]]);
+        CHECK(glm::dot(normal, middle - glm::vec3(0, 2.5F, 0)) > 0);  // outward
+      }
+    }
+  }
+  for (const bool chained : {false, true}) {
+    const auto model = makeModel(windowWall(50, chained));
+    const Scene scene = model->definition.build(Values(model->parameters()));
+    const ModelStatistics statistics = statisticsOf(*model, scene);
+    CHECK(statistics.baseLines == 400);
+    CHECK((statistics.clusters > 0) == chained);
+    for (const Scope& scope : scene.scopes) {
+      CHECK(glm::dot(glm::cross(scope.box.axes[0], scope.box.axes[1]), scope.box.axes[2]) == Approx(1));
+      CHECK(std::abs(scope.box.center().x) < 20.2);
+      CHECK(std::abs(scope.box.center().z) < 20.2);
+    }
+  }
+}
+
+TEST_CASE("bench: every time is measured in both runs") {
+  const auto model = makeModel(boxWithDoor());
+  const auto result = benchModel(*model, {.frames = 8});
+  REQUIRE(result.ok());
+  CHECK(result->parameters == 5);
+  CHECK(result->statistics.triangles == 24);
+  for (const auto what : {&BenchTimes::preprocess, &BenchTimes::placer, &BenchTimes::cpuFields, &BenchTimes::visibility,
+                          &BenchTimes::rebuild, &BenchTimes::straightforward}) {
+    REQUIRE(steady(*result, what));
+    CHECK(steady(*result, what)->ms > 0);
+    CHECK(steady(*result, what)->noise >= 0);
+  }
+  CHECK_FALSE(steady(*result, &BenchTimes::gpuFields));
+}
+
+TEST_CASE("dimline bench prints tables, and the contract's JSON") {
+  const Run table = runProgram({"bench", "house", "--frames", "6", "--no-growth"});
+  REQUIRE(table.status == 0);
+  CHECK(table.out.find("house") != std::string::npos);
+  CHECK(table.out.find("Growth") == std::string::npos);
+
+  const Run run = runProgram({"bench", "all", "--frames", "6", "--json"});
+  REQUIRE(run.status == 0);
+  const auto results = parsed(run.out);
+  const auto models = parsed(runProgram({"models", "--json"}).out);
+  REQUIRE(results.size() == models.size());
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    INFO(results[i].dump());
+    CHECK(results[i]["model"] == models[i]["name"]);
+    CHECK(results[i]["triangles"] == models[i]["triangles"]);
+    CHECK(results[i]["baseLines"] == models[i]["baseLines"]);
+    CHECK(results[i]["clustered"] == models[i]["clusteredBaseLines"]);
+    CHECK(results[i]["clusters"] == models[i]["clusters"]);
+    CHECK(results[i]["parameters"] == models[i]["parameters"].size());
+    for (const char* key :
+         {"preprocessMs", "placerMs", "cpuFieldsMs", "visibilityMs", "rebuildMs", "straightforwardMs"}) {
+      INFO(key);
+      REQUIRE(results[i][key].is_number());
+      CHECK(results[i][key].get<double>() > 0);
+    }
+    CHECK(results[i]["gpuFieldsMs"].is_null());
+  }
+}
+
+TEST_CASE("dimline bench says what is wrong with its arguments") {
+  CHECK(runProgram({"bench"}).status == 2);
+  CHECK(runProgram({"bench", "house", "--frames", "0"}).status == 2);
+  CHECK(runProgram({"bench", "nothing"}).status == 1);
+}
+
+}  // namespace
+}  // namespace dimline::test
