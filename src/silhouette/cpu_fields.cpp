@@ -3,9 +3,9 @@
 // strip, and S is closed, so the extreme is attained at a point on the border of S. Such a point lies on one of
 // these:
 //
-//  1. An edge between a facet that faces the viewer and one that does not, or an edge of one that is seen edge-on, or an
-//     edge that has not just two facets which agree. For take any other edge: its two facets face the same way, so on
-//     screen they lie on either side of it, and all around each of its points is covered; the same holds around a
+//  1. An edge between a facet that faces the viewer and one that does not, or an edge of one that is seen edge-on, or
+//     an edge that has not just two facets which agree. For take any other edge: its two facets face the same way, so
+//     on screen they lie on either side of it, and all around each of its points is covered; the same holds around a
 //     vertex at which there are only such edges.
 //  2. The cut of a facet with the near plane: there the facet ends without an edge of its own.
 //  3. The viewport's own border, where a facet runs across it. There S ends without an edge, too. A facet's part of a

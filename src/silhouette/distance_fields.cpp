@@ -4,12 +4,33 @@
 #include <cassert>
 #include <cmath>
 
+#include "silhouette/float4.h"
+
 namespace dimline {
 
 namespace {
 
-DistanceField::Range join(const DistanceField::Range& a, const DistanceField::Range& b) {
-  return {std::min(a.min, b.min), std::max(a.max, b.max)};
+/// Two nodes of the tree side by side, as they lie in memory: least, greatest, least, greatest.
+float* pairAt(DistanceField::Range* tree, std::size_t node) { return reinterpret_cast<float*>(tree + node); }
+
+/// Copies strips' values to their leaves, four at a time.
+void writeLeaves(const float* values, DistanceField::Range* leaves, std::size_t firstStrip, std::size_t lastStrip) {
+  for (std::size_t i = firstStrip / 4 * 4; i <= lastStrip; i += 4) {
+    const Float4 four = load4(values + i);
+    store4(pairAt(leaves, i), pick4<0, 4, 1, 5>(four, four));
+    store4(pairAt(leaves, i + 2), pick4<2, 6, 3, 7>(four, four));
+  }
+}
+
+/// Joins children to the nodes [low, high] of one level, two nodes at a time; the level has two nodes at least.
+void joinLevel(DistanceField::Range* tree, std::size_t low, std::size_t high) {
+  for (std::size_t i = low / 2 * 2; i <= high; i += 2) {
+    const Float4 first = load4(pairAt(tree, 2 * i));
+    const Float4 second = load4(pairAt(tree, 2 * i + 2));
+    const Float4 even = pick4<0, 1, 4, 5>(first, second);
+    const Float4 odd = pick4<2, 3, 6, 7>(first, second);
+    store4(pairAt(tree, i), pick4<0, 5, 2, 7>(min4(even, odd), max4(even, odd)));
+  }
 }
 
 /// A screen point as one field sees it: `along` its strips, and `away` from its viewport edge.
@@ -100,20 +121,17 @@ void DistanceField::reset(std::size_t strips) {
 }
 
 void DistanceField::buildTree() {
-  for (std::size_t i = 0; i < size_; ++i) tree_[leafCount_ + i] = {values_[i], values_[i]};
-  for (std::size_t i = leafCount_ - 1; i > 0; --i) tree_[i] = join(tree_[2 * i], tree_[2 * i + 1]);
+  if (size_ > 0) mendTree(0, size_ - 1);
 }
 
 void DistanceField::mendTree(std::size_t first, std::size_t last) {
   if (first >= size_ || last < first) return;
-  std::size_t low = leafCount_ + first;
-  std::size_t high = leafCount_ + std::min(last, size_ - 1);
-  for (std::size_t i = low; i <= high; ++i) tree_[i] = {values_[i - leafCount_], values_[i - leafCount_]};
-  while (low > 1) {
-    low /= 2;
-    high /= 2;
-    for (std::size_t i = low; i <= high; ++i) tree_[i] = join(tree_[2 * i], tree_[2 * i + 1]);
-  }
+  last = std::min(last, size_ - 1);
+  writeLeaves(values_.data(), tree_.data() + leafCount_, first, last);
+  std::size_t low = (leafCount_ + first) / 2;
+  std::size_t high = (leafCount_ + last) / 2;
+  for (; low > 1; low /= 2, high /= 2) joinLevel(tree_.data(), low, high);
+  tree_[1] = {std::min(tree_[2].min, tree_[3].min), std::max(tree_[2].max, tree_[3].max)};
 }
 
 float DistanceField::min(std::size_t first, std::size_t last) const {

@@ -28,6 +28,12 @@ inline Float4 load4(const float* from) {
 inline void store4(float* to, Float4 v) { std::memcpy(to, &v, sizeof v); }
 inline Float4 splat4(float v) { return Float4{v, v, v, v}; }
 
+/// Lanes of a (0 to 3) and of b (4 to 7), in the order given.
+template <int i0, int i1, int i2, int i3>
+Float4 pick4(Float4 a, Float4 b) {
+  return __builtin_shufflevector(a, b, i0, i1, i2, i3);
+}
+
 // With a NaN among the two, these give the second.
 #if defined(__SSE2__)
 inline Float4 min4(Float4 a, Float4 b) { return _mm_min_ps(a, b); }

@@ -43,7 +43,7 @@ constexpr double kHorizon = 1e-7;
 constexpr double kNegligiblePx = 5e-3;
 
 /// Strips to a block: the level of the tree that is swept.
-constexpr std::size_t kBlock = 16;
+constexpr std::size_t kBlockStrips = 16;
 
 /// A linear form over a field's own coordinates: `away` from its viewport edge, and `along` its strips.
 struct Form {
@@ -182,56 +182,61 @@ private:
 /// As a float in all lanes, however far it is.
 Float4 splatFar(double v) { return splat4(static_cast<float>(std::clamp(v, -Range::kFar, Range::kFar))); }
 
+/// The two sizes of boxes that are tested: a strip, and a block of strips.
+enum BoxSize : std::size_t { kStrip = 0, kBlock = 1 };
+constexpr std::array<std::size_t, 2> kStripsIn{1, kBlockStrips};
+
 /// Lane by lane, the greatest value of a form over boxes: from `away` to the field's far end, and from `along` on
-/// over a common width.
+/// over the box's width.
 class GreatestOverBox {
 public:
   GreatestOverBox() = default;
-  GreatestOverBox(const Form& form, double extentPx, double width, double marginPx)
+  GreatestOverBox(const Form& form, double extentPx, double marginPx)
       : perAway_(splat4(static_cast<float>(std::min(form.away, 0.0)))),
-        perAlong_(splat4(static_cast<float>(form.along))),
-        constant_(splat4(static_cast<float>(form.constant + std::max(form.away, 0.0) * extentPx +
-                                            std::max(form.along, 0.0) * width + form.steepness() * marginPx))) {}
+        perAlong_(splat4(static_cast<float>(form.along))) {
+    const double atStart = form.constant + std::max(form.away, 0.0) * extentPx + form.steepness() * marginPx;
+    for (const BoxSize size : {kStrip, kBlock}) {
+      const double width = static_cast<double>(kStripsIn[size]);
+      constant_[size] = splat4(static_cast<float>(atStart + std::max(form.along, 0.0) * width));
+    }
+  }
 
-  [[nodiscard]] Float4 at(Float4 away, Float4 along) const { return perAway_ * away + perAlong_ * along + constant_; }
+  [[nodiscard]] Float4 at(BoxSize size, Float4 away, Float4 along) const {
+    return perAway_ * away + perAlong_ * along + constant_[size];
+  }
 
 private:
   Float4 perAway_{};
   Float4 perAlong_{};
-  Float4 constant_{};
+  std::array<Float4, 2> constant_{};
 };
 
-/// Tests boxes, four at a time, against the wedge beyond an offset. A box covers `width` strips, and reaches from a
-/// value of its own to the field's far end. Separating axes: the wedge's three sides, and the box's own two
-/// directions.
+/// Tests boxes, four at a time, against the wedge beyond an offset. A box reaches from a value of its own to the
+/// field's far end. Separating axes: the wedge's three sides, and the box's own two directions.
 class BoxFilter {
 public:
-  BoxFilter(const Wedge& wedge, double extentPx, std::size_t width)
-      : extentPx_(extentPx),
-        width_(static_cast<double>(width)),
-        u_(wedge.u, extentPx, width_, kNegligiblePx),
-        v_(wedge.v, extentPx, width_, kNegligiblePx) {}
+  BoxFilter(const Wedge& wedge, double extentPx)
+      : extentPx_(extentPx), u_(wedge.u, extentPx, kNegligiblePx), v_(wedge.v, extentPx, kNegligiblePx) {}
 
   void aim(const Form& beyond, const Range& range) {
-    g_ = GreatestOverBox(beyond, extentPx_, width_, -kNegligiblePx);
+    g_ = GreatestOverBox(beyond, extentPx_, -kNegligiblePx);
     awayHigh_ = splatFar(range.awayHigh + kNegligiblePx);
-    alongLow_ = splatFar(range.alongLow - width_ - kNegligiblePx);
+    alongLow_[kStrip] = splatFar(range.alongLow - kNegligiblePx - 1);
+    alongLow_[kBlock] = splatFar(range.alongLow - kNegligiblePx - static_cast<double>(kBlockStrips));
     alongHigh_ = splatFar(range.alongHigh + kNegligiblePx);
   }
 
   /// Whether a box may hold something beyond the offset by more than kNegligiblePx: never wrongly no.
-  [[nodiscard]] Int4 passes(Float4 value, Float4 along) const {
-    return (value <= awayHigh_) & (along >= alongLow_) & (along <= alongHigh_) & (u_.at(value, along) >= 0.0F) &
-           (v_.at(value, along) >= 0.0F) & (g_.at(value, along) > 0.0F);
+  [[nodiscard]] Int4 passes(BoxSize size, Float4 value, Float4 along) const {
+    return (value <= awayHigh_) & (along >= alongLow_[size]) & (along <= alongHigh_) &
+           (u_.at(size, value, along) >= 0.0F) & (v_.at(size, value, along) >= 0.0F) &
+           (g_.at(size, value, along) > 0.0F);
   }
-
-  [[nodiscard]] double width() const { return width_; }
 
 private:
   double extentPx_;
-  double width_;
   Float4 awayHigh_{};
-  Float4 alongLow_{};
+  std::array<Float4, 2> alongLow_{};
   Float4 alongHigh_{};
   GreatestOverBox u_;
   GreatestOverBox v_;
@@ -256,8 +261,8 @@ public:
     }
   }
 
-  [[nodiscard]] Float4 of(Float4 value, Float4 along, double width) const {
-    const Float4 middle = max4(min4(along + static_cast<float>(width * 0.5), alongHigh_), alongLow_);
+  [[nodiscard]] Float4 of(Float4 value, Float4 along, float width) const {
+    const Float4 middle = max4(min4(along + width * 0.5F, alongHigh_), alongLow_);
     Float4 low = max4(value, splat4(0.0F));
     Float4 high = extent_;
     for (std::size_t i = 0; i < lowers_; ++i) low = max4(low, lower_[i].at(middle));
@@ -301,34 +306,41 @@ public:
   Search(const DistanceField& field, ViewportEdge edge, const DistanceFields& fields, const Slide& slide,
          double uselessAboveM)
       : field_(field),
+        rows_(edge == ViewportEdge::kLeft || edge == ViewportEdge::kRight),
         extentPx_(fields.extentPx(edge)),
         wedge_(fields, edge, slide),
-        blocks_(wedge_, extentPx_, kBlock),
-        strips_(wedge_, extentPx_, 1),
+        filter_(wedge_, extentPx_),
         enoughM_(std::min(uselessAboveM, kFarthest)) {}
 
-  double run() {
+  /// `hint`: where on screen another field was found to hold its greatest offset. Most often this one does so nearby.
+  double run(const std::optional<Vec2>& hint) {
     if (!(field_.node(1).min < extentPx_)) return 0;  // there is nothing to be seen
     if (touchesViewportEdge()) return kInfinity;
-    aim();
-    const Promise promise(wedge_, range_, extentPx_);
+    if (hint) improve(stripAt(rows_ ? hint->y : hint->x));
+    if (best_ > enoughM_) return best_;
+    if (best_ == 0) aim();
     const std::size_t first = stripAt(range_.alongLow);
     const std::size_t last = stripAt(range_.alongHigh);
-    const std::size_t level = field_.leafCount() / kBlock;
+    const std::size_t level = field_.leafCount() / kBlockStrips;
     sweep(
-        blocks_, promise, first / kBlock, last / kBlock,
+        kBlock, first / kBlockStrips, last / kBlockStrips,
         [&](std::size_t block) {
           const DistanceField::Range* node = &field_.node(level + block);
           return Float4{node[0].min, node[1].min, node[2].min, node[3].min};
         },
         [&](std::size_t block) {
+          const std::size_t begin = block * kBlockStrips;
           sweep(
-              strips_, promise, std::max(first, block * kBlock), std::min(last, block * kBlock + kBlock - 1),
+              kStrip, std::max(first, begin), std::min(last, begin + kBlockStrips - 1),
               [&](std::size_t strip) { return load4(field_.values().data() + strip); },
               [&](std::size_t strip) { improve(strip); });
         });
     return best_;
   }
+
+  /// The place along the viewport edge where the greatest offset was found.
+  [[nodiscard]] double contactAlong() const { return contact_.along; }
+  [[nodiscard]] double contactAway() const { return contact_.away; }
 
 private:
   /// Whether a strip of value <= 0 meets the viewport edge inside the wedge.
@@ -354,25 +366,26 @@ private:
   /// From now on only what lies beyond the best offset matters.
   void aim() {
     range_ = wedge_.rangeBeyond(best_);
-    const Form beyond = wedge_.beyond(best_);
-    blocks_.aim(beyond, range_);
-    strips_.aim(beyond, range_);
+    filter_.aim(wedge_.beyond(best_), range_);
   }
 
   /// Visits the boxes from first to last that may raise the best offset, the most promising one first.
   template <typename ValuesFrom, typename Visit>
-  void sweep(const BoxFilter& filter, const Promise& promise, std::size_t first, std::size_t last,
-             ValuesFrom valuesFrom, Visit visit) {
-    const auto width = static_cast<float>(filter.width());
+  void sweep(BoxSize size, std::size_t first, std::size_t last, ValuesFrom valuesFrom, Visit visit) {
+    const auto width = static_cast<float>(kStripsIn[size]);
     const Float4 lastBox = splat4(static_cast<float>(last));
+    const auto passesFrom = [&](std::size_t i) {
+      const Float4 box = splat4(static_cast<float>(i)) + kLanes;
+      return lanesOf(filter_.passes(size, valuesFrom(i), box * width) & (box <= lastBox));
+    };
     std::size_t promising = last + 1;
     float most = -kNoSilhouette;
     for (std::size_t i = first; i <= last; i += 4) {
-      const Float4 box = splat4(static_cast<float>(i)) + kLanes;
-      const Float4 values = valuesFrom(i);
-      const unsigned passes = lanesOf(filter.passes(values, box * width) & (box <= lastBox));
+      const unsigned passes = passesFrom(i);
       if (passes == 0) continue;
-      const Float4 promised = promise.of(values, box * width, filter.width());
+      if (!promise_) promise_.emplace(wedge_, range_, extentPx_);
+      const Float4 along = (splat4(static_cast<float>(i)) + kLanes) * width;
+      const Float4 promised = promise_->of(valuesFrom(i), along, width);
       for (std::size_t lane = 0; lane < 4; ++lane) {
         if ((passes >> lane & 1U) == 0 || !(promised[lane] > most)) continue;
         most = promised[lane];
@@ -382,8 +395,7 @@ private:
     if (promising > last) return;
     visit(promising);
     for (std::size_t i = first; i <= last && best_ <= enoughM_; i += 4) {
-      const Float4 box = splat4(static_cast<float>(i)) + kLanes;
-      const unsigned passes = lanesOf(filter.passes(valuesFrom(i), box * width) & (box <= lastBox));
+      const unsigned passes = passesFrom(i);
       if (passes == 0) continue;
       for (std::size_t lane = 0; lane < 4; ++lane) {
         if ((passes >> lane & 1U) != 0 && i + lane != promising) visit(i + lane);
@@ -393,8 +405,10 @@ private:
 
   /// Raises the best offset to the greatest in one strip's box.
   void improve(std::size_t strip) {
+    const double value = field_.at(strip);
+    if (!(value <= extentPx_)) return;
     const double low = static_cast<double>(strip);
-    Polygon polygon(std::max(0.0, static_cast<double>(field_.at(strip))), extentPx_, low, low + 1);
+    Polygon polygon(std::max(0.0, value), extentPx_, low, low + 1);
     polygon.cut(wedge_.u);
     polygon.cut(wedge_.v);
     const double before = best_;
@@ -402,19 +416,23 @@ private:
       const auto& [away, along] = polygon.corners[i];
       const double w = wedge_.w.at(away, along);
       const double t = wedge_.t.at(away, along);
-      if (t > best_ * w) best_ = w > kHorizon ? t / w : kInfinity;
+      if (!(t > best_ * w)) continue;
+      best_ = w > kHorizon ? t / w : kInfinity;
+      contact_ = polygon.corners[i];
     }
     if (best_ > before && best_ <= enoughM_) aim();
   }
 
   const DistanceField& field_;
+  bool rows_;
   double extentPx_;
   Wedge wedge_;
-  BoxFilter blocks_;
-  BoxFilter strips_;
+  BoxFilter filter_;
+  std::optional<Promise> promise_;
   Range range_;
   double best_ = 0;
   double enoughM_;
+  Polygon::Corner contact_{0, 0};
 };
 
 /// A point of the viewport inside the wedge beyond an offset, if there is one.
@@ -428,6 +446,16 @@ std::optional<Vec2> pointBeyond(const DistanceFields& fields, const Slide& slide
   Vec2 sum(0.0);
   for (std::size_t i = 0; i < polygon.count; ++i) sum += Vec2(polygon.corners[i].away, polygon.corners[i].along);
   return sum / static_cast<double>(polygon.count);
+}
+
+Vec2 onScreen(const DistanceFields& fields, ViewportEdge edge, double away, double along) {
+  switch (edge) {
+    case ViewportEdge::kLeft: return {away, along};
+    case ViewportEdge::kRight: return {fields.widthPx - away, along};
+    case ViewportEdge::kTop: return {along, away};
+    case ViewportEdge::kBottom: return {along, fields.heightPx - away};
+  }
+  return {};
 }
 
 /// Whether a field blocks a point of the viewport.
@@ -474,28 +502,31 @@ std::optional<Slide> Slide::make(const View& view, const Segment& base, const Ve
 
 double leastClearingOffset(const DistanceField& field, ViewportEdge edge, const DistanceFields& fields,
                            const Slide& slide, double uselessAboveM) {
-  return Search(field, edge, fields, slide, uselessAboveM).run();
+  return Search(field, edge, fields, slide, uselessAboveM).run(std::nullopt);
 }
 
 double leastClearingOffset(const DistanceFields& fields, const Slide& slide, double uselessAboveM) {
   // The field that the line sets off towards most often has the answer.
   const Vec3 middle = slide.originPixel() + slide.pixelPerU() * 0.5;
   const Vec3& perT = slide.pixelPerT();
-  const Vec2 way(perT.x * middle.z - middle.x * perT.z,
-                 perT.y * middle.z - middle.y * perT.z);  // of its middle, to a positive factor
+  const Vec2 way(perT.x * middle.z - middle.x * perT.z, perT.y * middle.z - middle.y * perT.z);
   const ViewportEdge alongX = way.x < 0 ? ViewportEdge::kLeft : ViewportEdge::kRight;
   const ViewportEdge alongY = way.y < 0 ? ViewportEdge::kTop : ViewportEdge::kBottom;
   const bool xFirst = std::abs(way.x) > std::abs(way.y);
   const auto opposite = [](ViewportEdge edge) { return static_cast<ViewportEdge>(static_cast<unsigned>(edge) ^ 1U); };
   double least = kInfinity;
   std::optional<Vec2> probe;
+  std::optional<Vec2> contact;
   for (const ViewportEdge edge : {xFirst ? alongX : alongY, xFirst ? alongY : alongX,
                                   opposite(xFirst ? alongY : alongX), opposite(xFirst ? alongX : alongY)}) {
     if (probe && blocks(fields, edge, *probe)) continue;
     const double boundM = std::min(least, uselessAboveM);
-    const double offsetM = leastClearingOffset(fields[edge], edge, fields, slide, boundM);
+    Search search(fields[edge], edge, fields, slide, boundM);
+    const double offsetM = search.run(contact);
     if (!(offsetM < boundM)) continue;
     least = offsetM;
+    if (least == 0) break;
+    contact = onScreen(fields, edge, search.contactAway(), search.contactAlong());
     probe = pointBeyond(fields, slide, least);
   }
   return least;

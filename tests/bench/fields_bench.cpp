@@ -142,6 +142,20 @@ Named tower() {
   return named;
 }
 
+/// One closed body of as many triangles: nothing can be passed over.
+Named body() {
+  Named named{"one body", {}};
+  std::vector<Vec2> profile;
+  for (int i = 0; i <= 256; ++i) {
+    const double angle = kPi * (i + 0.5) / 257;
+    profile.emplace_back(3 * std::sin(angle), -5 * std::cos(angle));
+  }
+  named.scene.meshes.push_back(columnMesh(240, 12, profile));
+  place(named.scene, 0, Vec3(0), Vec3(1));
+  measureScene(named);
+  return named;
+}
+
 using Clock = std::chrono::steady_clock;
 
 template <typename Work>
@@ -239,7 +253,8 @@ int main() {
   const Named instances = temple();
   const Named one = merged(instances);
   const Named boxes = tower();
-  for (const Named* named : {&instances, &one, &boxes}) {
+  const Named single = body();
+  for (const Named* named : {&instances, &one, &boxes, &single}) {
     measure(*named, 1.0, "fit");
     measure(*named, 0.35, "close");
   }
