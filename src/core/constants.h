@@ -66,6 +66,21 @@ inline constexpr double kScoreLength = 0.02;                             ///< la
 inline constexpr double kScoreAlign = 3.0 * kHandleSpacingPx;            ///< lambda 3
 inline constexpr double kScoreDamp = 0.5 * kHandleSpacingPx;             ///< lambda 4
 inline constexpr double kScoreIntersect = -1.0 * kHandleSpacingPx;       ///< lambda 5
+/// Beyond the paper: principle 9 weighs more than a shorter way. The last frame's choice stays until another is better by this much more than Damp, and what was left
+/// is not gone back to within kReturnFrames moved frames unless it is better by -kScoreReturn. Smaller: lines change more often on an
+/// orbit. Larger: they stay longer on a side that is no longer the nearest.
+inline constexpr double kScoreStay = 7.0 * kHandleSpacingPx;
+inline constexpr double kScoreReturn = -5.0 * kHandleSpacingPx;
+inline constexpr int kReturnFrames = 20;
+
+/// px a frame. A line that lies further out than it must, since one nearer to the model has gone, comes nearer by this much in each moved frame, and
+/// is never further out than this share of what it must: its way stays short without a jump.
+inline constexpr double kRelaxPx = 6.0;
+inline constexpr double kMostOffsetRatio = 1.45;
+
+/// Beyond the paper: a line across another's extension line misleads, two extension lines that cross do not; the first costs this more than Intersect.
+inline constexpr double kScoreCrossesExtension = -5.0 * kHandleSpacingPx;
+
 /// Beyond the paper: an extension line through a label that has landed makes it hard to read, which a crossing of two thin lines does
 /// not; such a place is taken only when it is much nearer than any other.
 inline constexpr double kScoreCoversLabel = -6.0 * kHandleSpacingPx;

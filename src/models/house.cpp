@@ -53,6 +53,7 @@ std::vector<dimline::Parameter> houseParameters() {
   describe(p[kDepth], "Building", "How deep the house is, from its front wall to its back wall.",
            "@Handle(scope=Footprint, type=linear-contour, orient=back, slip=scope, align=bottom)");
   p[kFloors] = other(kInt, Unit::kNone, "Floors", "Number of floors", {2, 1, 4, 1});
+  p[kFloors].noun = "floor";
   describe(p[kFloors], "Building", "How many storeys the house has below its roof.",
            "@Handle(scope=Storeys, type=linear-contour, orient=up, slip=scope, align=left, indirect)");
   p[kFloorHeight] = length("FloorHeight", "Floor height", {2.9, 2.7, 3.8, 0.05});

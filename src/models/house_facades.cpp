@@ -122,14 +122,14 @@ void drawWall(const House& house, const Facade& facade) {
   });
 }
 
-/// One scope for each pair of neighbouring windows, from axis to axis; for a single window, its bay.
+/// One scope for each window's bay. From the middle of one pier to the middle of the next rather than from axis to axis: then the extension lines pass between
+/// the windows, and do not cross the dimensions of their widths.
 void nameBays(const House& house, const Facade& facade) {
   Builder& b = house.b;
   for (int floor = 0; floor < house.plan.floors; ++floor) {
-    for (int i = 0; i < std::max(facade.bays - 1, 1); ++i) {
+    for (int i = 0; i < facade.bays; ++i) {
       b.push([&] {
-        const double start = facade.bays > 1 ? facade.axisOf(i) : kCornerMargin;
-        b.translate({start, floor * house.plan.floorHeight + house.plan.sillHeight, -kReveal});
+        b.translate({facade.axisOf(i) - 0.5 * facade.bayWidth, floor * house.plan.floorHeight + house.plan.sillHeight, -kReveal});
         b.scale({facade.bayWidth, house.plan.windowHeight, kReveal});
         b.name("Bay");
       });

@@ -41,7 +41,7 @@ bool foreshortened(const Segment& s, const View& view) {
 /// A candidate of `base` on `plane`, not placed yet.
 Candidate unplaced(const UsableBaseLine& base, const SlipPlane& plane, int direction, const CandidateContext& context) {
   Candidate candidate;
-  candidate.identity = {.parameter = context.lastFrame.parameter,
+  candidate.identity = {.parameter = context.history.last().parameter,
                         .scopeIndex = base.scopeIndex,
                         .chain = base.cluster,
                         .baseLine = static_cast<std::int16_t>(base.line.number),
@@ -97,10 +97,11 @@ void keep(const CandidateContext& context, Candidate& candidate, std::vector<Can
   candidate.score = score({.base = candidate.baseScreen,
                            .candidate = candidate.lineScreen,
                            .align = context.annotation.align,
-                           .sameAsLastFrame = candidate.identity == context.lastFrame,
+                           .sameAsLastFrame = candidate.identity == context.history.last(),
                            .intersects = false,
                            .planeKind = candidate.plane.kind,
-                           .facing = candidate.plane.facing});
+                           .facing = candidate.plane.facing}) +
+                    context.history.bonus(candidate.identity);
   candidates.push_back(candidate);
 }
 
@@ -178,8 +179,12 @@ void gatherOutsideCandidates(const CandidateContext& context, const UsableBaseLi
     const double mostM = mostInViewM(candidate, context.view);
     if (!slide || mostM < 0) return;
     // What clears at the least offset clears at every greater one, so a plane whose part begins further out is used from there.
-    const double offsetM = std::max(leastClearingOffset(context.padded, *slide, mostM), leastRoomM(candidate));
+    double offsetM = std::max(leastClearingOffset(context.padded, *slide, mostM), leastRoomM(candidate));
     if (offsetM > mostM) return;
+    if (candidate.identity == context.history.last()) {
+      const double stepM = context.viewMoved ? kRelaxPx * context.view.metresPerPixelAt(candidate.foot.middle()) : 0.0;
+      offsetM = std::min(context.history.relaxedOffsetM(offsetM, stepM), mostM);
+    }
     candidate.placement = PlacementKind::kOutside;
     if (placeAt(candidate, *slide, offsetM, context.view)) keep(context, candidate, candidates);
   });
@@ -188,7 +193,7 @@ void gatherOutsideCandidates(const CandidateContext& context, const UsableBaseLi
 void gatherInsideCandidate(const CandidateContext& context, const UsableBaseLine& base, const Obb& scope,
                            std::vector<Candidate>& candidates) {
   Candidate candidate;
-  candidate.identity = {.parameter = context.lastFrame.parameter,
+  candidate.identity = {.parameter = context.history.last().parameter,
                         .scopeIndex = base.scopeIndex,
                         .chain = -1,
                         .baseLine = static_cast<std::int16_t>(base.line.number),
@@ -200,7 +205,7 @@ void gatherInsideCandidate(const CandidateContext& context, const UsableBaseLine
   const Vec3 middle = scope.center();
   // A scope whose middle is behind the viewer has no direction on screen; then length alone decides.
   const Vec2 middleScreen = context.view.inFrontOfNear(middle) ? context.view.toScreen(middle) : base.screen.middle();
-  candidate.score = scoreInside(base.screen, middleScreen, context.annotation.align);
+  candidate.score = scoreInside(base.screen, middleScreen, context.annotation.align) + context.history.bonus(candidate.identity);
   candidates.push_back(candidate);
 }
 

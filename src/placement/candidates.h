@@ -4,6 +4,7 @@
 
 #include "model/annotation.h"
 #include "placement/guides.h"
+#include "placement/history.h"
 #include "placement/layout.h"
 #include "placement/slip_planes.h"
 
@@ -53,7 +54,8 @@ struct CandidateContext {
   const DistanceFields& paddedModel;   ///< the model alone, with handleSpacing
   const Guides& guides;
   const ObjectPlanesInFrame& objectPlanes;
-  const Identity& lastFrame;           ///< the parameter's choice then, for the term Damp
+  bool viewMoved = false;              ///< since the last frame
+  const History& history;              ///< the parameter's choices before, for the term Damp and hysteresis
   double modelSizeM = 0;
   std::vector<SlipPlane>& planes;      ///< memory for one base line's planes
 };

@@ -43,9 +43,12 @@ Landed::Crossings Landed::crossings(const Segment2& base, const Segment2& foot, 
   const std::array<Segment2, 5> parts{line, Segment2{foot.start, line.start}, Segment2{foot.end, line.end}, Segment2{base.start, foot.start},
                                       Segment2{base.end, foot.end}};
   Crossings found;
-  for (const Segment2& part : parts) {
-    found.lines = found.lines || std::ranges::any_of(lines_, [&](const Line& l) { return segmentsCross(part, l.segment); }) ||
-                  std::ranges::any_of(extensions_, [&](const Segment2& e) { return segmentsCross(part, e); });
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const Segment2& part = parts[i];
+    const bool overLine = std::ranges::any_of(lines_, [&](const Line& l) { return segmentsCross(part, l.segment); });
+    const bool overExtension = std::ranges::any_of(extensions_, [&](const Segment2& e) { return segmentsCross(part, e); });
+    found.lines = found.lines || overLine || overExtension;
+    found.extensions = found.extensions || (i == 0 ? overExtension : overLine);
     found.labels = found.labels || std::ranges::any_of(labels_, [&](const Box2& label) { return meets(part, label); });
   }
   return found;

@@ -18,7 +18,8 @@ class Landed {
 
   /// What a line, or one of its extension lines from the base line by way of its foot on the plane, runs across of what has landed.
   struct Crossings {
-    bool lines = false;    ///< a line or an extension line (paper 4.2, Intersect)
+    bool lines = false;        ///< a line or an extension line, with either (paper 4.2, Intersect)
+    bool extensions = false;   ///< an extension line with the line, or a line with one of its extension lines
     bool labels = false;
   };
   [[nodiscard]] Crossings crossings(const Segment2& base, const Segment2& foot, const Segment2& line) const;

@@ -178,9 +178,9 @@ bool placePill(const OtherHandle& handle, const OtherHandleContext& context, Pla
             score({.base = {anchor, anchor},
                    .candidate = {box.center(), box.center()},
                    .align = handle.annotation.align,
-                   .sameAsLastFrame = identity == handle.lastFrame,
+                   .sameAsLastFrame = identity == handle.history.last(),
                    .intersects = crossings.lines}) +
-                (crossings.labels ? kScoreCoversLabel : 0.0));
+                handle.history.bonus(identity) + (crossings.labels ? kScoreCoversLabel : 0.0));
     }
   }
   if (!found) return false;
@@ -221,6 +221,13 @@ bool placeArc(const OtherHandle& handle, const OtherHandleContext& context, Plac
     const Arc home = arcAt(handle.annotation, box, handle.value * kRadPerDeg, kArcMinRadiusPx * metresPerPx, kArcMaxRadiusPx * metresPerPx);
     const double facing = std::abs(glm::dot(home.axis, context.view.directionTo(home.center)));
     if (facing < std::sin(kForeshortenedAngleRad)) continue;
+    const auto identityOf = [&](int direction) {
+      return Identity{.parameter = static_cast<std::int32_t>(handle.parameter),
+                      .scopeIndex = static_cast<std::int32_t>(context.scopes[scope].index),
+                      .baseLine = 0,
+                      .plane = static_cast<std::int16_t>(direction),
+                      .direction = 0};
+    };
     const auto offer = [&](const Arc& arc, PlacementKind placement, int direction, double offerScore) {
       std::array<Vec2, kArcSamples + 1> points;
       if (offerScore <= bestScore || !project(arc, context.view, points)) return;
@@ -235,14 +242,11 @@ bool placeArc(const OtherHandle& handle, const OtherHandleContext& context, Plac
       placed.arc = arc;
       placed.handles.clear();
       placed.handles.push_back({true, points[kArcSamples]});
-      placed.identity = {.parameter = static_cast<std::int32_t>(handle.parameter),
-                         .scopeIndex = static_cast<std::int32_t>(context.scopes[scope].index),
-                         .baseLine = 0,
-                         .plane = static_cast<std::int16_t>(direction),
-                         .direction = 0};
+      placed.identity = identityOf(direction);
     };
     const auto damp = [&](int direction) {
-      return handle.lastFrame.scopeIndex == static_cast<std::int32_t>(context.scopes[scope].index) && handle.lastFrame.plane == direction ? kScoreDamp : 0.0;
+      const Identity identity = identityOf(direction);
+      return (identity == handle.history.last() ? kScoreDamp : 0.0) + handle.history.bonus(identity);
     };
     // In its frame the arc that is turned most towards the viewer reads best; that is worth as much as the plane's facing is to a line.
     offer(home, PlacementKind::kInside, -1, kScorePlane * facing + damp(-1) - 1e6 * (handle.annotation.slip == Slip::kNone ? 0 : 1));

@@ -4,6 +4,7 @@
 #include <span>
 
 #include "model/model.h"
+#include "placement/history.h"
 #include "placement/landed.h"
 #include "placement/layout.h"
 
@@ -24,7 +25,7 @@ struct OtherHandle {
   const Annotation& annotation;
   std::span<const std::size_t> scopes;
   double value = 0;
-  const Identity& lastFrame;
+  const History& history;
 };
 
 /// Places a boolean or a range handle: a pill of fixed size for its parameter, moved from the middle of the scope's face in the direction of `orient` to where

@@ -80,7 +80,9 @@ struct Placer::State {
   std::vector<Measured> order;        ///< those with dimension lines, shortest first
   std::vector<Measured> others;       ///< those with other handles, in the order of their definition
   std::vector<ObjectPlane> objectPlanes;
-  std::vector<Identity> lastFrame;    ///< one a parameter; its `parameter` is always set, the rest as chosen
+  std::vector<History> histories;     ///< one a parameter
+  Mat4 lastViewProjection{0.0};
+  bool viewMoved = false;             ///< since the last frame
 
   // Memory of one frame, kept so that the next allocates nothing.
   DistanceFields paddedModel;
@@ -131,9 +133,8 @@ Placer::Placer(Placer&&) noexcept = default;
 Placer& Placer::operator=(Placer&&) noexcept = default;
 
 void Placer::forget() {
-  for (std::size_t i = 0; i < state_->lastFrame.size(); ++i) {
-    state_->lastFrame[i] = {.parameter = static_cast<std::int32_t>(i)};
-  }
+  auto& histories = state_->histories;
+  for (std::size_t i = 0; i < histories.size(); ++i) histories[i] = History(static_cast<std::int32_t>(i));
 }
 
 void Placer::setScene(const Model& model, const Scene& scene) {
@@ -145,9 +146,10 @@ void Placer::setScene(const Model& model, const Scene& scene) {
   s.modelSizeM = scene.bounds.diagonal();
   if (!sameModel) {
     s.parameters.assign(model.parameters().begin(), model.parameters().end());
-    s.lastFrame.resize(s.parameters.size());
+    s.histories.assign(s.parameters.size(), History(-1));
     forget();
   }
+  for (History& history : s.histories) history.forgetOffset();
   s.order.clear();
   s.others.clear();
   for (std::size_t i = 0; i < s.parameters.size(); ++i) {
@@ -173,6 +175,11 @@ void Placer::place(const View& view, const DistanceFields& fields, const Values&
   State& s = *state_;
   s.recycle(layout);
   layout.view = view;
+  s.viewMoved = view.viewProjection() != s.lastViewProjection;
+  s.lastViewProjection = view.viewProjection();
+  if (s.viewMoved) {
+    for (History& history : s.histories) history.age();
+  }
   layout.hidden.clear();
   layout.visibleScopes.clear();
   s.landed.clear();
@@ -205,8 +212,8 @@ void Placer::State::placeOther(const Measured& measured, const View& view, doubl
       ++(inView[scope] != 0 ? tally.occluded : tally.outOfView);
     }
   }
-  Identity& last = lastFrame[measured.parameter];
-  const OtherHandle handle{measured.parameter, parameters[measured.parameter], measured.annotation, scopesInSight, value, last};
+  History& history = histories[measured.parameter];
+  const OtherHandle handle{measured.parameter, parameters[measured.parameter], measured.annotation, scopesInSight, value, history};
   const OtherHandleContext context{view, padded, landed, scopes};
   PlacedHandle& placed = appendHandle(layout);
   const bool arc = measured.annotation.type == HandleType::kAngular;
@@ -215,10 +222,10 @@ void Placer::State::placeOther(const Measured& measured, const View& view, doubl
     layout.others.pop_back();
     if (arc && !scopesInSight.empty()) ++tally.foreshortened;
     layout.hidden.push_back({measured.parameter, reasonFor(tally, !measured.scopes.empty())});
-    last = {.parameter = last.parameter};
+    history.choseNone();
     return;
   }
-  last = placed.identity;
+  history.choose(placed.identity, -1);
   landed.add(placed, view);
   pullIn(padded, placed.box, kLabelClearancePx);
 }
@@ -259,10 +266,10 @@ void Placer::State::placeParameter(Measured& measured, const View& view, const D
       gatherBaseLines(measured.annotation, scopes[scope], scope, view, bases, tally);
     }
   }
-  Identity& last = lastFrame[measured.parameter];
+  History& history = histories[measured.parameter];
   if (bases.empty()) {
     layout.hidden.push_back({measured.parameter, reasonFor(tally, !measured.scopes.empty())});
-    last = {.parameter = last.parameter};
+    history.choseNone();
     return;
   }
   if (measured.textValue != value) {
@@ -272,7 +279,7 @@ void Placer::State::placeParameter(Measured& measured, const View& view, const D
   }
 
   const ObjectPlanesInFrame object{objectPlanes, objectPlaneUses, kSamePlaneDistance * modelSizeM};
-  const CandidateContext context{measured.annotation, view, padded, paddedModel, guides, object, last, modelSizeM, slipPlanesMemory};
+  const CandidateContext context{measured.annotation, view, padded, paddedModel, guides, object, viewMoved, history, modelSizeM, slipPlanesMemory};
   const Candidate* winner = nullptr;
   for (const bool onGuides : {true, false}) {
     gatherCandidates(measured, context, onGuides);
@@ -280,7 +287,7 @@ void Placer::State::placeParameter(Measured& measured, const View& view, const D
     if (winner != nullptr) break;
   }
   if (winner == nullptr) winner = chooseInside(measured, context);
-  last = winner->identity;
+  history.choose(winner->identity, winner->placement == PlacementKind::kOutside ? winner->offsetM : -1);
   land(*winner, measured, value, layout);
 }
 
@@ -322,6 +329,7 @@ const Candidate* Placer::State::chooseWinner(const Measured& measured, const Vie
     double candidateScore = candidate.score;
     const Landed::Crossings crossings = landed.crossings(candidate.baseScreen, candidate.footScreen, candidate.lineScreen);
     if (crossings.lines) candidateScore += kScoreIntersect;
+    if (crossings.extensions) candidateScore += kScoreCrossesExtension;
     if (crossings.labels) candidateScore += kScoreCoversLabel;
     if (best != nullptr && bestScore >= candidateScore) continue;
     if (!settle(candidate, measured, view, model)) continue;
@@ -465,7 +473,7 @@ void Placer::State::land(const Candidate& winner, const Measured& measured, doub
 
 /// A line that is being dragged stays on its carrier, whatever this frame would have chosen for it.
 void Placer::State::landHeld(const PlacedLine& held, Layout& layout) {
-  lastFrame[held.parameter] = held.identity;
+  histories[held.parameter].choose(held.identity, -1);
   int guide = -1;
   if (held.placement != PlacementKind::kInside) {
     const Vec3 along = glm::normalize(held.line.end - held.line.start);

@@ -27,7 +27,7 @@ struct FrontOfBox {
   DistanceFields fields, padded;
   Landed landed;
   std::vector<std::size_t> scopes{0};
-  Identity none{.parameter = 0};
+  History none{0};
 
   FrontOfBox() {
     const Obb box = boxAt({-4, 0, -3}, {8, 5, 6});

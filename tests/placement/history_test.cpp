@@ -1,0 +1,55 @@
+#include <catch2/catch.hpp>
+
+#include "placement/history.h"
+
+using namespace dimline;
+
+namespace {
+
+Identity side(std::int16_t baseLine) { return {.parameter = 3, .scopeIndex = 0, .baseLine = baseLine, .plane = 0, .direction = 1}; }
+
+}  // namespace
+
+TEST_CASE("the last frame's choice is favoured, what was left of late is not, anything else is neither") {
+  History history(3);
+  CHECK(history.last().parameter == 3);
+  history.choose(side(0), 1.0);
+  CHECK(history.last() == side(0));
+  CHECK(history.bonus(side(0)) == kScoreStay);
+  CHECK(history.bonus(side(1)) == 0.0);
+  history.choose(side(1), 1.0);
+  CHECK(history.bonus(side(1)) == kScoreStay);
+  CHECK(history.bonus(side(0)) == kScoreReturn);
+}
+
+TEST_CASE("what was left is free again after kReturnFrames moved frames, and never before a still camera") {
+  History history(3);
+  history.choose(side(0), 1.0);
+  history.choose(side(1), 1.0);
+  for (int i = 0; i < 500; ++i) history.choose(side(1), 1.0);
+  CHECK(history.bonus(side(0)) == kScoreReturn);
+  for (int i = 0; i < kReturnFrames - 1; ++i) history.age();
+  CHECK(history.bonus(side(0)) == kScoreReturn);
+  history.age();
+  CHECK(history.bonus(side(0)) == 0.0);
+}
+
+TEST_CASE("a line that was hidden begins anew") {
+  History history(3);
+  history.choose(side(0), 1.0);
+  history.choose(side(1), 1.0);
+  history.choseNone();
+  CHECK(history.bonus(side(0)) == 0.0);
+  CHECK(history.bonus(side(1)) == 0.0);
+  CHECK(history.last().parameter == 3);
+}
+
+TEST_CASE("a line comes nearer by a step at most, and is never further out than its share allows") {
+  History history(3);
+  history.choose(side(0), 2.6);
+  CHECK(history.relaxedOffsetM(2.0, 0.25) == Approx(2.35));
+  CHECK(history.relaxedOffsetM(2.5, 0.25) == Approx(2.5));      // it must be further out than the step would bring it
+  CHECK(history.relaxedOffsetM(1.0, 0.25) == Approx(kMostOffsetRatio));
+  history.forgetOffset();
+  CHECK(history.relaxedOffsetM(1.0, 0.25) == Approx(1.0));      // the model has changed
+}
