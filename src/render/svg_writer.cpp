@@ -1,5 +1,6 @@
 #include "render/svg_writer.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -82,6 +83,11 @@ std::string hexColor(std::uint32_t rgb) {
   char text[8];
   std::snprintf(text, sizeof text, "#%06x", static_cast<unsigned>(rgb & 0xFFFFFFU));
   return text;
+}
+
+std::uint32_t packed(const glm::vec4& color) {
+  const auto byte = [](float v) { return static_cast<std::uint32_t>(std::lround(v * 255.0F)); };
+  return byte(color.r) << 16U | byte(color.g) << 8U | byte(color.b);
 }
 
 void writeTones(const ModelPicture& picture, std::string& svg) {
@@ -172,19 +178,76 @@ void writeOverlay(const Layout& layout, std::string& svg) {
   }
 }
 
-void writeLabels(const Layout& layout, std::string& svg) {
+/// The angle's arc with an arrowhead at either end, and its two legs. Switches and choices are for the hand, not for paper, and are left out.
+void writeArc(const Arc& arc, const View& view, std::string& svg) {
+  constexpr int kPieces = 48;
+  std::vector<Vec2> points;
+  double lengthPx = 0;
+  for (int i = 0; i <= kPieces; ++i) {
+    const Vec3 world = arc.at(arc.angleRad * i / kPieces);
+    if (!view.inFrontOfNear(world)) return;
+    points.push_back(view.toScreen(world));
+    if (i > 0) lengthPx += glm::length(points[static_cast<std::size_t>(i)] - points[static_cast<std::size_t>(i) - 1]);
+  }
+  if (!view.inFrontOfNear(arc.center)) return;
+  const Vec2 center = view.toScreen(arc.center);
+  std::string legs;
+  for (const Vec2& end : {points.front(), points.back()}) {
+    const double legPx = glm::length(end - center);
+    if (legPx <= kExtensionGapPx) continue;
+    const Vec2 along = (end - center) / legPx;
+    legs += "M" + point(center + along * kExtensionGapPx) + "L" + point(end + along * kExtensionOvershootPx);
+  }
+  // The stroke ends inside the arrowheads, so that their tips stay sharp.
+  const double headPx = std::min(kArrowLengthPx, 0.3 * lengthPx);
+  std::string path;
+  for (const Vec2& p : points) {
+    const double fromEndPx = std::min(glm::length(p - points.front()), glm::length(p - points.back()));
+    if (fromEndPx >= 0.5 * headPx) path += (path.empty() ? "M" : "L") + point(p);
+  }
+  const Theme theme = drawingTheme();
+  const auto stroke = [&](const glm::vec4& color, double widthPx, const std::string& d) {
+    svg += "<path fill=\"none\" stroke=\"" + hexColor(packed(color)) + "\" stroke-opacity=\"" +
+           number(static_cast<double>(color.a)) + "\" stroke-width=\"" + number(widthPx) + "\" d=\"" + d + "\"/>\n";
+  };
+  stroke(theme.halo, 3.5, legs + path);
+  if (!legs.empty()) stroke(theme.extension, 1, legs);
+  stroke(theme.line, 1.25, path);
+  svg += "<path fill=\"" + hexColor(packed(theme.line)) + "\" d=\"";
+  // An arrowhead's axis is the chord that it covers.
+  for (const bool atEnd : {false, true}) {
+    const auto at = [&](std::size_t i) { return points[atEnd ? points.size() - 1 - i : i]; };
+    std::size_t back = 1;
+    while (back + 1 < points.size() && glm::length(at(back) - at(0)) < headPx) ++back;
+    const Vec2 chord = at(back) - at(0);
+    if (!(glm::length(chord) > 0)) continue;
+    const Vec2 along = chord / glm::length(chord) * headPx;
+    const Vec2 across = Vec2(-along.y, along.x) * (kArrowHalfWidthPx / kArrowLengthPx);
+    svg += "M" + point(at(0)) + "L" + point(at(0) + along + across) + "L" + point(at(0) + along - across) + "Z";
+  }
+  svg += "\"/>\n";
+}
+
+void writeText(const std::string& text, const Box2& box, std::string& svg) {
   const double ascent = static_cast<double>(barlow::kAscender) / barlow::kUnitsPerEm * kLabelFontSizePx;
+  const double widthPx = textWidthPx(text, kLabelFontSizePx);
+  svg += "<text x=\"" + number(box.center().x - widthPx / 2) + "\" y=\"" + number(box.min.y + ascent) +
+         "\" textLength=\"" + number(widthPx) + "\" lengthAdjust=\"spacingAndGlyphs\">" + escaped(text) + "</text>\n";
+}
+
+void writeLabels(const Layout& layout, std::string& svg) {
   // A white rim keeps a text readable where it has to stand on the model.
   svg +=
       "<g font-family=\"Barlow, 'Barlow Medium', 'Roboto Condensed', 'Arial Narrow', Arial, sans-serif\" "
-      "font-weight=\"500\" font-size=\"" +
+      "font-weight=\"500\" "
+      "font-size=\"" +
       number(kLabelFontSizePx) +
       "\" fill=\"#12181f\" stroke=\"#fff\" stroke-width=\"3\" stroke-linejoin=\"round\" paint-order=\"stroke\">\n";
   for (const PlacedLine& line : layout.lines) {
-    if (!line.label || line.text.empty()) continue;
-    svg += "<text x=\"" + number(line.label->min.x) + "\" y=\"" + number(line.label->min.y + ascent) +
-           "\" textLength=\"" + number(textWidthPx(line.text, kLabelFontSizePx)) +
-           "\" lengthAdjust=\"spacingAndGlyphs\">" + escaped(line.text) + "</text>\n";
+    if (line.label && !line.text.empty()) writeText(line.text, *line.label, svg);
+  }
+  for (const PlacedHandle& handle : layout.others) {
+    if (handle.arc && !handle.text.empty()) writeText(handle.text, handle.box, svg);
   }
   svg += "</g>\n";
 }
@@ -201,6 +264,9 @@ std::string writeSvg(const Scene& scene, const Layout& layout, const std::string
   writeTones(picture, svg);
   writeLines(scene, view, picture, svg);
   writeOverlay(layout, svg);
+  for (const PlacedHandle& handle : layout.others) {
+    if (handle.arc) writeArc(*handle.arc, view, svg);
+  }
   writeLabels(layout, svg);
   return svg + "</svg>\n";
 }

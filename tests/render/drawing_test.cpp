@@ -227,6 +227,28 @@ TEST_CASE("the document is whole, and shows each label once") {
   CHECK(occurrences(svg, "textLength=") == labels);
 }
 
+TEST_CASE("an angle is drawn as an arc with its legs and its text, a switch is not") {
+  Drawing drawing = drawingOf(test::orbitCamera({0, 2.5, 0}, 24, 35, 20), "Box");
+  PlacedHandle angle;
+  angle.type = HandleType::kAngular;
+  angle.text = "35 degrees";
+  angle.box = {{100, 100}, {140, 117}};
+  angle.arc = Arc{{0, 2, 3}, {1, 0, 0}, {0, 0, 1}, 2.0, 0.6};
+  PlacedHandle flag;
+  flag.text = "switched on";
+  drawing.layout.others = {angle, flag};
+  const std::string svg = writeSvg(drawing.scene, drawing.layout, "Box");
+  CHECK(wellFormed(svg));
+  CHECK(occurrences(svg, ">35 degrees</text>") == 1);
+  CHECK(svg.find("switched on") == std::string::npos);
+  // Halo, legs, arc and arrowheads.
+  CHECK(occurrences(svg, "<path ") == occurrences(drawing.svg, "<path ") + 4);
+
+  // Behind the viewer it has no place in the picture.
+  drawing.layout.others[0].arc->center = {0, 2, 200};
+  CHECK(occurrences(writeSvg(drawing.scene, drawing.layout, "Box"), "<path ") == occurrences(drawing.svg, "<path "));
+}
+
 TEST_CASE("the same frame gives the same document") {
   const Camera camera = test::orbitCamera({0, 2.5, 0}, 24, 35, 20);
   CHECK(drawingOf(camera, "Box").svg == drawingOf(camera, "Box").svg);
