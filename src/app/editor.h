@@ -95,6 +95,8 @@ class Editor {
   /// A GL context is current and shall be drawn into; see render/renderer.h.
   Status attachRenderer();
   void detachRenderer();        ///< the context is about to be destroyed by the host
+  /// Why the picture cannot be drawn as it should, for a message; empty when all is well.
+  [[nodiscard]] const std::string& problem() const;
   void abandonRenderer();       ///< the context was lost; attachRenderer() again after it is restored
   /// Advances to `nowMs` (any steady clock) and draws. True when another frame is wanted (animation, fields under way, damping).
   bool frame(double nowMs);

@@ -3,27 +3,7 @@
 #include "app/editor_state.h"
 #include "app/stopwatch.h"
 
-// The picture is drawn at full quality when nothing moves. While something moves it is drawn at reduced quality if frames come too slowly, which is
-// judged by the time between them: that is what people see, and the only measure that also counts what the GPU does.
-
 namespace dimline {
-
-namespace {
-
-/// ms between frames above which motion is no longer smooth, and below which there is room for full quality again.
-constexpr double kSlowIntervalMs = 30.0;
-constexpr double kFastIntervalMs = 18.0;
-
-/// ms. Longer pauses are no slow frame: the page slept.
-constexpr double kPauseMs = 400.0;
-
-/// ms without motion after which a reduced picture is drawn anew in full. Short enough to seem at once, longer than the pauses of a hand.
-constexpr double kSettleMs = 120.0;
-
-/// Weight of a new interval in the smoothed one.
-constexpr double kSmoothing = 0.2;
-
-}  // namespace
 
 Status Editor::attachRenderer() {
   State& s = *state_;
@@ -33,8 +13,8 @@ Status Editor::attachRenderer() {
   s.rendererSceneStale = true;
   s.pictureStale = true;
   s.viewStale = true;
-  s.quality = {};
-  s.quality.slow = s.renderer->context().software();
+  s.quality.start(s.renderer->context().software());
+  s.problem.clear();
   return okStatus();
 }
 
@@ -44,37 +24,26 @@ void Editor::detachRenderer() {
   state_->viewStale = true;
 }
 
+const std::string& Editor::problem() const { return state_->problem; }
+
 void Editor::abandonRenderer() {
   if (state_->renderer) state_->renderer->abandon();
   detachRenderer();
 }
 
-void Editor::State::paceQuality() {
-  const double interval = nowMs - quality.lastFrameMs;
-  const bool consecutive = quality.hadFrame && interval < kPauseMs && interval > 0;
-  quality.hadFrame = pictureStale;
-  quality.lastFrameMs = nowMs;
-  if (!pictureStale) return;
-  quality.lastMotionMs = nowMs;
-  if (!consecutive) return;
-  quality.intervalMs = quality.intervalMs == 0 ? interval : quality.intervalMs + kSmoothing * (interval - quality.intervalMs);
-  // On a software rasterizer full quality is never affordable in motion, however fast the reduced one is.
-  if (quality.intervalMs > kSlowIntervalMs) quality.slow = true;
-  if (quality.intervalMs < kFastIntervalMs && renderer && !renderer->context().software() && drawnQuality == RenderQuality::kFull) {
-    quality.slow = false;
-  }
+/// Gives the renderer the scene when it has another one.
+void Editor::State::uploadScene() {
+  if (!renderer || !rendererSceneStale) return;
+  const Status status = renderer->setScene(scene);
+  problem = status ? std::string() : status.error().message;
+  rendererSceneStale = false;
+  pictureStale = true;
 }
-
-RenderQuality Editor::State::wantedQuality() const {
-  const bool moving = nowMs - quality.lastMotionMs < kSettleMs;
-  return quality.slow && moving ? RenderQuality::kReduced : RenderQuality::kFull;
-}
-
-bool Editor::State::wantsBetterPicture() const { return renderer && drawnQuality != RenderQuality::kFull; }
 
 void Editor::State::draw(const View& view) {
   if (!renderer) return;
-  const RenderQuality wanted = wantedQuality();
+  quality.noteFrame(nowMs, pictureStale);
+  const RenderQuality wanted = quality.reduced() ? RenderQuality::kReduced : RenderQuality::kFull;
   if (!pictureStale && wanted == drawnQuality) return;
   const Stopwatch watch;
   overlay.clear();
@@ -101,9 +70,8 @@ void Editor::State::draw(const View& view) {
   options.heightPx = static_cast<int>(std::lround(heightPx * devicePixelRatio));
   options.devicePixelRatio = devicePixelRatio;
   options.quality = wanted;
-  const Status status = renderer->draw(view, overlay, options);
-  // A picture that cannot be drawn at this size will not be drawable in the next frame either; the lines are there all the same.
-  (void)status;
+  // A picture that cannot be drawn now will not be drawable in the next frame either: no reason to ask for one.
+  if (Status status = renderer->draw(view, overlay, options); !status) problem = status.error().message;
   drawnQuality = wanted;
   pictureStale = false;
   timings.drawMs = watch.ms();

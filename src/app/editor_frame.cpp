@@ -30,7 +30,6 @@ bool Editor::frame(double nowMs) {
   const View view = s.currentView();
   s.measureAndPlace(view);
   s.animate(view);
-  s.paceQuality();
   s.draw(view);
   s.restedLastFrame = atRest();
   return !s.restedLastFrame;
@@ -58,11 +57,7 @@ void Editor::State::rebuild() {
 
 /// Fields for the view, from whichever producer, and the lines placed in them when anything has changed.
 void Editor::State::measureAndPlace(const View& view) {
-  if (renderer && rendererSceneStale) {
-    if (Status status = renderer->setScene(scene); !status) renderer.reset();
-    rendererSceneStale = false;
-    pictureStale = true;
-  }
+  uploadScene();
   const bool moved = std::exchange(viewStale, false);
   if (moved) visibilityStale = true;
   const bool arrived = fieldSource.update(view, moved, devicePixelRatio, renderer.get());
@@ -150,11 +145,7 @@ std::optional<DistanceFields> Editor::measureFields(FieldsFrom from) {
   State& s = *state_;
   if (!s.loaded || !s.hasSize()) return std::nullopt;
   if (s.sceneStale) s.rebuild();
-  if (s.renderer && s.rendererSceneStale) {
-    if (Status status = s.renderer->setScene(s.scene); !status) return std::nullopt;
-    s.rendererSceneStale = false;
-    s.pictureStale = true;
-  }
+  s.uploadScene();
   return s.fieldSource.measure(s.currentView(), from, s.devicePixelRatio, s.renderer.get());
 }
 

@@ -119,28 +119,40 @@ HandleKey Editor::State::keyOf(const PlacedLine& line, bool atEnd) const {
   return {line.parameter, line.scope < scene.scopes.size() ? scene.scopes[line.scope].index : 0, atEnd};
 }
 
-/// The line as placed that is drawn, perhaps half way, as `drawnLine`.
-const PlacedLine* Editor::State::placedLineLike(const PlacedLine& drawnLine) const {
+/// The line of a handle as it is placed, wherever it is drawn at the moment.
+const PlacedLine* Editor::State::placedLineOf(const HandleKey& key) const {
   for (const PlacedLine& line : placed.lines) {
-    if (line.parameter == drawnLine.parameter && line.scope == drawnLine.scope) return &line;
+    if (keyOf(line, key.atEnd) == key) return &line;
   }
   return nullptr;
 }
 
+/// Brings scene and lines up to date with values that were set since the last frame: a drag starts from both.
+void Editor::State::catchUp() {
+  finishEdits();
+  if (!sceneStale) return;
+  rebuild();
+  const View view = currentView();
+  measureAndPlace(view);
+  animate(view);
+}
+
 /// Takes hold of the handle under the pointer, if there is one.
 bool Editor::State::beginHandleDrag(const PointerInput& input) {
+  // What is hit is what is seen; what is dragged is the same line where it belongs by now. One that still glides is taken where it is going to, so that
+  // nobody edits with a line that has no place.
   const auto hit = handleAt(input);
   if (!hit) return false;
-  finishEdits();
-  const Handle& grabbed = drawn.lines[hit->line].handles[hit->handle];
-  // A line that still glides is taken where it is going to, so that nobody edits with a line that has no place.
-  const PlacedLine* line = placedLineLike(drawn.lines[hit->line]);
-  if (line == nullptr || sceneStale) return false;
-  const Vec2 offset = input.screen - grabbed.screen;
+  const PlacedLine& seen = drawn.lines[hit->line];
+  const HandleKey key = keyOf(seen, seen.handles[hit->handle].atEnd);
+  const Vec2 grabOffset = input.screen - seen.handles[hit->handle].screen;
+  catchUp();
+  const PlacedLine* line = placedLineOf(key);
+  if (line == nullptr) return false;
+
   const View view = currentView();
-  Handle handle = grabbed;
-  handle.screen = view.toScreen(handle.atEnd ? line->line.end : line->line.start);
-  drag = HandleDrag::begin(model, values, scene, *line, handle, handle.screen + offset, view);
+  const Handle handle{key.atEnd, view.toScreen(key.atEnd ? line->line.end : line->line.start)};
+  drag = HandleDrag::begin(model, values, scene, *line, handle, handle.screen + grabOffset, view);
   if (!drag) return false;
   dragPointer = input.id;
   hoverAt.reset();

@@ -1,11 +1,13 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include "app/editor.h"
 #include "app/field_source.h"
 #include "app/line_animator.h"
 #include "app/orbit_controls.h"
+#include "app/quality_governor.h"
 #include "editing/handle_drag.h"
 #include "editing/handle_hit.h"
 #include "editing/undo_history.h"
@@ -39,15 +41,6 @@ struct CameraGesture {
   Camera start;         ///< what the pointers' travel is counted from
   Vec3 pivot{0.0};      ///< of a zoom
   Pointer first, second;
-};
-
-/// Whether frames come too slowly while things move, and what quality that calls for.
-struct QualityGovernor {
-  bool slow = false;
-  double intervalMs = 0;        ///< between frames while something moves, smoothed
-  double lastFrameMs = 0;
-  double lastMotionMs = 0;
-  bool hadFrame = false;
 };
 
 struct Editor::State {
@@ -98,6 +91,7 @@ struct Editor::State {
   bool pictureStale = true;             ///< what was drawn last is not what should be seen now
   RenderQuality drawnQuality = RenderQuality::kFull;
   QualityGovernor quality;
+  std::string problem;
   std::vector<OverlayLine> overlay;
 
   // editor.cpp
@@ -112,7 +106,8 @@ struct Editor::State {
   // editor_input.cpp
   [[nodiscard]] std::optional<HandleRef> handleAt(const PointerInput& input) const;
   [[nodiscard]] HandleKey keyOf(const PlacedLine& line, bool atEnd) const;
-  [[nodiscard]] const PlacedLine* placedLineLike(const PlacedLine& drawnLine) const;
+  [[nodiscard]] const PlacedLine* placedLineOf(const HandleKey& key) const;
+  void catchUp();
   bool beginHandleDrag(const PointerInput& input);
   void beginCameraGesture(const PointerInput& input);
   void addFinger(const PointerInput& input);
@@ -135,9 +130,8 @@ struct Editor::State {
 
   // editor_draw.cpp
   void draw(const View& view);
-  void paceQuality();
-  [[nodiscard]] bool wantsBetterPicture() const;
-  [[nodiscard]] RenderQuality wantedQuality() const;
+  void uploadScene();
+  [[nodiscard]] bool wantsBetterPicture() const { return renderer && drawnQuality != RenderQuality::kFull; }
 };
 
 }  // namespace dimline

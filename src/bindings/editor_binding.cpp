@@ -202,6 +202,7 @@ class EditorBinding {
     return editor_.frame(nowMs);
   }
   [[nodiscard]] bool atRest() const { return editor_.atRest(); }
+  [[nodiscard]] std::string problem() const { return editor_.problem(); }
   void setReducedMotion(bool reduced) { editor_.setReducedMotion(reduced); }
 
   [[nodiscard]] std::string layoutJson() const {
@@ -341,6 +342,7 @@ EMSCRIPTEN_BINDINGS(dimline) {
       .function("contextLost", &EditorBinding::contextLost)
       .function("frame", &EditorBinding::frame)
       .function("atRest", &EditorBinding::atRest)
+      .function("problem", &EditorBinding::problem)
       .function("setReducedMotion", &EditorBinding::setReducedMotion)
       .function("layoutJson", &EditorBinding::layoutJson)
       .function("labelsJson", &EditorBinding::labelsJson)

@@ -353,3 +353,14 @@ TEST_CASE("random input of all sorts breaks nothing") {
   stage.editor.fitToView();
   REQUIRE(stage.settle() < 1000);
 }
+
+TEST_CASE("a handle can be taken hold of in the very moment in which a script changed something else") {
+  FrontStage stage;
+  stage.set("Height", 4);   // no frame since then
+  const Vec2 at = stage.handle("Width");
+  REQUIRE(stage.down(at) == PointerTarget::kHandle);
+  stage.move(at + Vec2(25, 0));
+  REQUIRE(stage.value("Width") == 9);
+  stage.frame();
+  REQUIRE(stage.editor.scene().scopes[0].box.size == Vec3(9, 4, 6));
+}
