@@ -57,6 +57,15 @@ struct Seen {
   BoxOnScreen box;
 };
 
+bool finite(const Mat4& m) {
+  for (int column = 0; column < 4; ++column) {
+    for (int row = 0; row < 4; ++row) {
+      if (!std::isfinite(m[column][row])) return false;
+    }
+  }
+  return true;
+}
+
 Vec2 onScreen(const ProjectedVertex& v) { return Vec2(v.pixel.x, v.pixel.y) / v.pixel.z; }
 
 /// Where the segment between two vertices passes the near plane, on screen.
@@ -265,6 +274,7 @@ void CpuFields::setScene(const Scene& scene) {
     const EdgeMesh& mesh = p.meshes[instance.mesh];
     Mat4 toWorld(instance.transform);
     toWorld[3] = toWorld * Vec4(mesh.center, 1.0);
+    if (!finite(toWorld)) continue;  // it has no place to be seen at
     p.instances.push_back({instance.mesh, toWorld});
     parts += mesh.parts.size();
   }

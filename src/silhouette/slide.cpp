@@ -435,25 +435,32 @@ private:
   Polygon::Corner contact_{0, 0};
 };
 
-/// A point of the viewport inside the wedge beyond an offset, if there is one.
+/// A point of the viewport inside the wedge a little beyond an offset, if there is one half way between the extension
+/// lines.
 std::optional<Vec2> pointBeyond(const DistanceFields& fields, const Slide& slide, double offsetM) {
-  const Wedge wedge(fields, ViewportEdge::kLeft, slide);
-  Polygon polygon(0, fields.widthPx, 0, fields.heightPx);
-  polygon.cut(wedge.u);
-  polygon.cut(wedge.v);
-  polygon.cut(wedge.beyond(offsetM));
-  if (polygon.count == 0) return std::nullopt;
-  Vec2 sum(0.0);
-  for (std::size_t i = 0; i < polygon.count; ++i) sum += Vec2(polygon.corners[i].away, polygon.corners[i].along);
-  return sum / static_cast<double>(polygon.count);
+  constexpr double kStepPx = 2;
+  const Vec3 middle = slide.originPixel() + slide.pixelPerU() * 0.5 + slide.pixelPerT() * offsetM;
+  if (!(middle.z > 0)) return std::nullopt;
+  const Vec2 from = Vec2(middle.x, middle.y) / middle.z;
+  const Vec2 way = Vec2(slide.pixelPerT().x, slide.pixelPerT().y) - from * slide.pixelPerT().z;
+  const Vec2 to = from + way * (kStepPx / glm::length(way));
+  // The step must not lead past the horizon.
+  const double w = glm::dot(slide.wForm(), Vec3(to, 1));
+  const bool beyond = w > kHorizon && glm::dot(slide.tForm(), Vec3(to, 1)) > offsetM * w;
+  const bool seen = to.x >= 0 && to.y >= 0 && to.x <= fields.widthPx && to.y <= fields.heightPx;
+  return beyond && seen ? std::optional(to) : std::nullopt;
 }
 
 Vec2 onScreen(const DistanceFields& fields, ViewportEdge edge, double away, double along) {
   switch (edge) {
-    case ViewportEdge::kLeft: return {away, along};
-    case ViewportEdge::kRight: return {fields.widthPx - away, along};
-    case ViewportEdge::kTop: return {along, away};
-    case ViewportEdge::kBottom: return {along, fields.heightPx - away};
+    case ViewportEdge::kLeft:
+      return {away, along};
+    case ViewportEdge::kRight:
+      return {fields.widthPx - away, along};
+    case ViewportEdge::kTop:
+      return {along, away};
+    case ViewportEdge::kBottom:
+      return {along, fields.heightPx - away};
   }
   return {};
 }

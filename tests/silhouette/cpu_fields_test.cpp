@@ -144,6 +144,19 @@ TEST_CASE("a mesh flattened to nothing is seen as the sheet that it is") {
   REQUIRE(fields[ViewportEdge::kBottom].at(20) == Approx(10).margin(1e-4));
 }
 
+TEST_CASE("an instance without a place is not seen, and spoils nothing") {
+  Scene scene;
+  test::add(scene, test::boxMesh());
+  glm::mat4 nowhere(1.0F);
+  nowhere[3][0] = std::nanf("");
+  scene.instances.push_back({0, nowhere});
+  nowhere[3][0] = HUGE_VALF;
+  scene.instances.push_back({0, nowhere});
+  const DistanceFields fields = produced(scene, View(frontCamera(4), 40, 40, scene.bounds));
+  REQUIRE(fields[ViewportEdge::kLeft].at(20) == Approx(10).margin(1e-4));
+  REQUIRE(fields[ViewportEdge::kTop].at(5) == kNoSilhouette);
+}
+
 // --- Against the mask
 // -------------------------------------------------------------------------------------------------
 
