@@ -28,10 +28,21 @@ class Reader {
     this.view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
     this.at = at;
   }
-  u8() { return this.view.getUint8(this.at++); }
-  u16() { this.at += 2; return this.view.getUint16(this.at - 2); }
-  i16() { this.at += 2; return this.view.getInt16(this.at - 2); }
-  u32() { this.at += 4; return this.view.getUint32(this.at - 4); }
+  u8() {
+    return this.view.getUint8(this.at++);
+  }
+  u16() {
+    this.at += 2;
+    return this.view.getUint16(this.at - 2);
+  }
+  i16() {
+    this.at += 2;
+    return this.view.getInt16(this.at - 2);
+  }
+  u32() {
+    this.at += 4;
+    return this.view.getUint32(this.at - 4);
+  }
   base128() {
     let value = 0;
     for (let i = 0; i < 5; ++i) {
@@ -169,7 +180,10 @@ struct Advance {
   std::int16_t units;
 };
 inline constexpr std::array<Advance, ${kSingles.length}> kOthers{{
-${rows(kSingles.map((code) => `{0x${hex(code)}, ${advanceOf(code)}}`), 6)}
+${rows(
+  kSingles.map((code) => `{0x${hex(code)}, ${advanceOf(code)}}`),
+  6,
+)}
 }};
 
 }  // namespace dimline::barlow

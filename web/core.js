@@ -34,7 +34,9 @@ export async function createCore({ url = kModuleUrl } = {}) {
   try {
     return new Core(await createModule({}));
   } catch (cause) {
-    throw new Error(`dimline.wasm, beside ${url}, could not be loaded or started. Is it there, and the network up?`, { cause });
+    throw new Error(`dimline.wasm, beside ${url}, could not be loaded or started. Is it there, and the network up?`, {
+      cause,
+    });
   }
 }
 
@@ -256,9 +258,12 @@ function check(sentence) {
 
 // JSON has no NaN and no undefined: they are caught here, where the name is known.
 function checkValue(name, value) {
-  const usable = typeof value === "string" || typeof value === "boolean" || (typeof value === "number" && Number.isFinite(value));
+  const usable =
+    typeof value === "string" || typeof value === "boolean" || (typeof value === "number" && Number.isFinite(value));
   if (!usable) {
     const shown = typeof value === "object" && value !== null ? "an object" : String(value);
-    throw new Error(`Parameter "${name}" cannot be ${shown}: give a finite number, true or false, or the name of a choice.`);
+    throw new Error(
+      `Parameter "${name}" cannot be ${shown}: give a finite number, true or false, or the name of a choice.`,
+    );
   }
 }

@@ -36,17 +36,17 @@ export class DimlineEditor extends Base {
   #root;
   #internals;
   #core = null;
-  #parts = null;          // what #build() made
-  #listening = null;      // AbortController: everything that must end with the element
-  #loading = null;        // AbortController of the model under way
+  #parts = null; // what #build() made
+  #listening = null; // AbortController: everything that must end with the element
+  #loading = null; // AbortController of the model under way
   #hasModel = false;
   #input = null;
   #labels = null;
-  #ready = null;          // {promise, resolve, reject}
-  #settling = [];         // who waits in settled()
+  #ready = null; // {promise, resolve, reject}
+  #settling = []; // who waits in settled()
   #frameRequest = 0;
   #lastFrameMs = 0;
-  #deviceSize = null;     // [width, height] in device pixels
+  #deviceSize = null; // [width, height] in device pixels
   #drawnSize = "";
   #contextTimer = 0;
   #attempt = 0;
@@ -298,10 +298,17 @@ export class DimlineEditor extends Base {
     // The renderer multisamples by itself and copies the finished picture here, often as the first thing of a frame. Chromium empties a
     // buffer that it need not preserve later than that, at the frame's first draw call, and would take the copy along.
     const gl = this.#parts.canvas.getContext("webgl2", {
-      alpha: false, antialias: false, depth: false, stencil: false, preserveDrawingBuffer: true, powerPreference: "high-performance",
+      alpha: false,
+      antialias: false,
+      depth: false,
+      stencil: false,
+      preserveDrawingBuffer: true,
+      powerPreference: "high-performance",
     });
     if (!gl) {
-      throw new Error("This browser offers no WebGL 2, which the picture needs. A current browser with hardware acceleration switched on has it.");
+      throw new Error(
+        "This browser offers no WebGL 2, which the picture needs. A current browser with hardware acceleration switched on has it.",
+      );
     }
     return gl;
   }
@@ -358,7 +365,9 @@ export class DimlineEditor extends Base {
       if (signal.aborted) return;
       if (error instanceof WebAssembly.RuntimeError) return this.#fail(error);
       if (!this.#hasModel) this.#showMessage("The model cannot be shown.", error.message);
-      this.dispatchEvent(new ErrorEvent("error", { error, message: error.message, bubbles: true, composed: true, cancelable: true }));
+      this.dispatchEvent(
+        new ErrorEvent("error", { error, message: error.message, bubbles: true, composed: true, cancelable: true }),
+      );
     }
   }
 
@@ -367,7 +376,10 @@ export class DimlineEditor extends Base {
   #watchSize(signal) {
     const { stage } = this.#parts;
     const measure = (entry) => {
-      const rounded = [Math.round(stage.clientWidth * devicePixelRatio), Math.round(stage.clientHeight * devicePixelRatio)];
+      const rounded = [
+        Math.round(stage.clientWidth * devicePixelRatio),
+        Math.round(stage.clientHeight * devicePixelRatio),
+      ];
       const box = entry?.devicePixelContentBoxSize?.[0];
       const exact = box ? [box.inlineSize, box.blockSize] : rounded;
       // A browser that plays another device reports the pixels of the real one here.
@@ -387,11 +399,15 @@ export class DimlineEditor extends Base {
     signal.addEventListener("abort", () => observer.disconnect());
     const watchRatio = () => {
       const query = matchMedia(`(resolution: ${devicePixelRatio}dppx)`);
-      query.addEventListener("change", () => {
-        measure(null);
-        this.#requestFrame();
-        watchRatio();
-      }, { once: true, signal });
+      query.addEventListener(
+        "change",
+        () => {
+          measure(null);
+          this.#requestFrame();
+          watchRatio();
+        },
+        { once: true, signal },
+      );
     };
     watchRatio();
     measure(null);

@@ -11,9 +11,15 @@ async function fetchBytes(url, signal) {
     response = await fetch(url, { signal });
   } catch (cause) {
     if (signal?.aborted) throw cause;
-    throw new Error(`${url} could not be fetched: is the address right, and does that server allow this page to read it?`, { cause });
+    throw new Error(
+      `${url} could not be fetched: is the address right, and does that server allow this page to read it?`,
+      { cause },
+    );
   }
-  if (!response.ok) throw new Error(`${url} could not be fetched: the server answered ${response.status} ${response.statusText}`.trim() + ".");
+  if (!response.ok)
+    throw new Error(
+      `${url} could not be fetched: the server answered ${response.status} ${response.statusText}`.trim() + ".",
+    );
   return new Uint8Array(await response.arrayBuffer());
 }
 
@@ -35,8 +41,10 @@ export async function fetchGltf(url, signal) {
   }
   const named = [...(document?.buffers ?? []), ...(document?.images ?? [])].map((entry) => entry?.uri);
   const uris = new Set(named.filter((uri) => typeof uri === "string" && !uri.startsWith("data:")));
-  await Promise.all([...uris].map(async (uri) => {
-    files[uri] = await fetchBytes(new URL(uri, url).href, signal);
-  }));
+  await Promise.all(
+    [...uris].map(async (uri) => {
+      files[uri] = await fetchBytes(new URL(uri, url).href, signal);
+    }),
+  );
   return { bytes, files };
 }

@@ -87,7 +87,16 @@ export class LabelLayer {
     const node = document.createElement("div");
     node.className = "label";
     node.setAttribute("part", "label");
-    const entry = { node, parameter: label.parameter, text: null, transform: "", opacity: "", active: false, first: null, round: 0 };
+    const entry = {
+      node,
+      parameter: label.parameter,
+      text: null,
+      transform: "",
+      opacity: "",
+      active: false,
+      first: null,
+      round: 0,
+    };
     this.#entries.set(label.id, entry);
     this.#layer.append(node);
     return entry;
@@ -146,8 +155,14 @@ export class LabelLayer {
     if (!parameter) return;
     const large = event.shiftKey ? kPageSteps : 1;
     const moves = {
-      ArrowUp: large, ArrowRight: large, ArrowDown: -large, ArrowLeft: -large, PageUp: kPageSteps, PageDown: -kPageSteps,
-      Home: -Infinity, End: Infinity,
+      ArrowUp: large,
+      ArrowRight: large,
+      ArrowDown: -large,
+      ArrowLeft: -large,
+      PageUp: kPageSteps,
+      PageDown: -kPageSteps,
+      Home: -Infinity,
+      End: Infinity,
     };
     if (!(event.key in moves)) return;
     event.preventDefault();

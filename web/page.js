@@ -59,7 +59,9 @@ function showValues(live) {
 function showProjection() {
   const { orthographic } = editor;
   projection.setAttribute("aria-pressed", orthographic);
-  projection.querySelector("use").setAttribute("href", `assets/icons/icons.svg#${orthographic ? "orthographic" : "perspective"}`);
+  projection
+    .querySelector("use")
+    .setAttribute("href", `assets/icons/icons.svg#${orthographic ? "orthographic" : "perspective"}`);
 }
 
 function showDocument() {
@@ -100,7 +102,9 @@ projection.addEventListener("click", () => {
 for (const button of document.querySelectorAll("[data-view]")) {
   button.addEventListener("click", () => editor.setView(button.dataset.view));
 }
-byId("reset-all").addEventListener("click", () => attempt(() => editor.setParameters(panel.defaults(editor.getParameters()))));
+byId("reset-all").addEventListener("click", () =>
+  attempt(() => editor.setParameters(panel.defaults(editor.getParameters()))),
+);
 modelMenu.addEventListener("change", () => {
   editor.model = modelMenu.value;
 });
@@ -120,7 +124,9 @@ narrow.addEventListener("change", () => {
 // The editor's keys work wherever the focus is, except where keys mean text or a value.
 document.addEventListener("keydown", (event) => {
   const target = event.target;
-  const typing = target instanceof HTMLElement && target.matches("input:not([type=range], [type=checkbox], [type=radio]), select, textarea");
+  const typing =
+    target instanceof HTMLElement &&
+    target.matches("input:not([type=range], [type=checkbox], [type=radio]), select, textarea");
   if (typing || target === editor) return;
   attempt(() => editor.handleKey(event));
 });

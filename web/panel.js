@@ -55,7 +55,8 @@ export class Panel {
   build(parameters) {
     this.#rows.clear();
     const groups = new Map();
-    for (const parameter of parameters) groups.set(parameter.group, [...(groups.get(parameter.group) ?? []), parameter]);
+    for (const parameter of parameters)
+      groups.set(parameter.group, [...(groups.get(parameter.group) ?? []), parameter]);
     const sections = [...groups].map(([group, members], index) => {
       const heading = make("h2", { id: `group-${index}` }, group || "General");
       const rows = members.map((parameter) => this.#makeRow(parameter));
@@ -97,16 +98,28 @@ export class Panel {
 
   #makeRow(parameter) {
     const id = `parameter-${parameter.name}`;
-    const reset = make("button", {
-      type: "button", class: "reset", "aria-label": `Reset ${parameter.title}`, title: "Reset",
-    }, makeIcon("reset"));
+    const reset = make(
+      "button",
+      {
+        type: "button",
+        class: "reset",
+        "aria-label": `Reset ${parameter.title}`,
+        title: "Reset",
+      },
+      makeIcon("reset"),
+    );
     reset.addEventListener("click", () => this.#host.set({ [parameter.name]: parameter.default }));
     // The help is a tooltip for the mouse, a description for screen readers, and for the row in use the page shows it.
     const help = parameter.help ? make("p", { id: `${id}-help`, hidden: true }, parameter.help) : null;
     const build = { bool: makeSwitch, choice: makeChoice }[parameter.type] ?? makeNumber;
     const { head, body, show } = build(parameter, id, help?.id ?? null, this.#host);
-    const node = make("div", { class: `row ${parameter.type}`, "data-name": parameter.name },
-                      make("div", { class: "head", title: parameter.help }, ...head, reset), ...body, ...(help ? [help] : []));
+    const node = make(
+      "div",
+      { class: `row ${parameter.type}`, "data-name": parameter.name },
+      make("div", { class: "head", title: parameter.help }, ...head, reset),
+      ...body,
+      ...(help ? [help] : []),
+    );
     // The head's last control stands at the right edge, the reset button before it.
     const control = head[1];
     if (control) node.firstChild.append(control);
@@ -121,12 +134,21 @@ function makeNumber(parameter, id, helpId, host) {
   const decimals = decimalsOf(parameter);
   const unit = kUnits[parameter.unit] ?? parameter.unit;
   const label = make("label", { for: id }, title);
-  const input = make("input", { type: "number", id, min, max, step, inputmode: decimals ? "decimal" : "numeric", autocomplete: "off",
-                                "aria-describedby": helpId });
+  const input = make("input", {
+    type: "number",
+    id,
+    min,
+    max,
+    step,
+    inputmode: decimals ? "decimal" : "numeric",
+    autocomplete: "off",
+    "aria-describedby": helpId,
+  });
   const range = make("input", { type: "range", min, max, step, "aria-label": title, "aria-describedby": helpId });
   const show = (value, whole = false) => {
     // "9" may stay as it was typed while the field has the focus; a value that is another one is shown.
-    if (whole || document.activeElement !== input || Number(input.value) !== value) input.value = value.toFixed(decimals);
+    if (whole || document.activeElement !== input || Number(input.value) !== value)
+      input.value = value.toFixed(decimals);
     range.value = value;
     range.setAttribute("aria-valuetext", `${value.toFixed(decimals)} ${unit}`.trim());
     const share = max > min ? (value - min) / (max - min) : 0;
@@ -145,7 +167,12 @@ function makeNumber(parameter, id, helpId, host) {
     if (event.key === "Escape") host.refresh(name);
   });
   input.addEventListener("focus", () => input.select());
-  const field = make("span", { class: "field" }, input, make("span", { class: unit === "°" ? "unit close" : "unit", "aria-hidden": "true" }, unit));
+  const field = make(
+    "span",
+    { class: "field" },
+    input,
+    make("span", { class: unit === "°" ? "unit close" : "unit", "aria-hidden": "true" }, unit),
+  );
   return { head: [label, field], body: [range], show };
 }
 
@@ -159,8 +186,11 @@ function makeSwitch(parameter, id, helpId, host) {
 function makeChoice(parameter, id, helpId, host) {
   const { name, title, choices } = parameter;
   if (choices.length > kMostSegments) {
-    const select = make("select", { id, "aria-describedby": helpId },
-                        ...choices.map((choice) => make("option", { value: choice }, capitalised(choice))));
+    const select = make(
+      "select",
+      { id, "aria-describedby": helpId },
+      ...choices.map((choice) => make("option", { value: choice }, capitalised(choice))),
+    );
     select.addEventListener("change", () => host.set({ [name]: select.value }));
     return { head: [make("label", { for: id }, title)], body: [select], show: (value) => (select.value = value) };
   }
@@ -170,8 +200,11 @@ function makeChoice(parameter, id, helpId, host) {
     input.addEventListener("change", () => host.set({ [name]: choice }));
     return input;
   });
-  const segments = make("div", { class: "segments", role: "radiogroup", "aria-labelledby": caption.id, "aria-describedby": helpId },
-                        ...inputs.map((input) => make("label", {}, input, make("span", {}, capitalised(input.value)))));
+  const segments = make(
+    "div",
+    { class: "segments", role: "radiogroup", "aria-labelledby": caption.id, "aria-describedby": helpId },
+    ...inputs.map((input) => make("label", {}, input, make("span", {}, capitalised(input.value)))),
+  );
   const show = (value) => inputs.forEach((input) => (input.checked = input.value === value));
   return { head: [caption], body: [segments], show };
 }

@@ -48,13 +48,15 @@ async function mouseDrag(from, travel, options = {}) {
 
 const subtract = (a, b) => a.map((value, i) => value - b[i]);
 const range = (camera) => Math.hypot(...subtract(camera.eye, camera.target));
-const azimuthDeg = (camera) => (Math.atan2(camera.eye[0] - camera.target[0], camera.eye[2] - camera.target[2]) * 180) / Math.PI;
+const azimuthDeg = (camera) =>
+  (Math.atan2(camera.eye[0] - camera.target[0], camera.eye[2] - camera.target[2]) * 180) / Math.PI;
 const near = (actual, expected, tolerance, what) =>
   assert.ok(Math.abs(actual - expected) <= tolerance, `${what}: ${actual} instead of ${expected} ± ${tolerance}`);
 
 /** Where the world point is in the picture, by the layout's own matrices. */
 function project(frame, point) {
-  const multiply = (m, v) => [0, 1, 2, 3].map((row) => [0, 1, 2, 3].reduce((sum, column) => sum + m[column * 4 + row] * v[column], 0));
+  const multiply = (m, v) =>
+    [0, 1, 2, 3].map((row) => [0, 1, 2, 3].reduce((sum, column) => sum + m[column * 4 + row] * v[column], 0));
   const clip = multiply(frame.projection, multiply(frame.view, [...point, 1]));
   return [((clip[0] / clip[3] + 1) / 2) * frame.size[0], ((1 - clip[1] / clip[3]) / 2) * frame.size[1]];
 }
@@ -65,7 +67,7 @@ test("a mouse drag orbits: the target and the distance stay, a viewport's height
   const camera = await cameraOf(page);
   assert.deepEqual(camera.target, home.target);
   near(range(camera), range(home), 1e-6 * range(home), "distance");
-  near(((azimuthDeg(home) - azimuthDeg(camera)) + 720) % 360, 45, 1, "turned by");
+  near((azimuthDeg(home) - azimuthDeg(camera) + 720) % 360, 45, 1, "turned by");
   assert.ok(Math.abs(camera.eye[1] - home.eye[1]) < 1e-6, "a level drag keeps the height");
 });
 
@@ -118,7 +120,20 @@ test("two fingers pinch: spreading them to twice the distance doubles the pictur
   const frame = await layoutOf(page);
   const sample = frame.lines[0].base.world;
   const sizeOf = (f) => distance(project(f, sample[0]), project(f, sample[1]));
-  await touchGesture([[[x - 40, y], [x + 40, y]]], [[[x - 80, y], [x + 80, y]]]);
+  await touchGesture(
+    [
+      [
+        [x - 40, y],
+        [x + 40, y],
+      ],
+    ],
+    [
+      [
+        [x - 80, y],
+        [x + 80, y],
+      ],
+    ],
+  );
   const zoom = sizeOf(await layoutOf(page)) / sizeOf(frame);
   assert.ok(zoom > 1.5 && zoom < 3, `the picture grew by ${zoom}`);
 });
@@ -126,7 +141,20 @@ test("two fingers pinch: spreading them to twice the distance doubles the pictur
 test("two fingers side by side pan", async () => {
   const [x, y] = free;
   const before = project(await layoutOf(page), home.target);
-  await touchGesture([[[x - 30, y], [x + 30, y]]], [[[x + 20, y + 30], [x + 80, y + 30]]]);
+  await touchGesture(
+    [
+      [
+        [x - 30, y],
+        [x + 30, y],
+      ],
+    ],
+    [
+      [
+        [x + 20, y + 30],
+        [x + 80, y + 30],
+      ],
+    ],
+  );
   const after = project(await layoutOf(page), home.target);
   near(after[0] - before[0], 50, 6, "pan in x");
   near(after[1] - before[1], 30, 6, "pan in y");
@@ -135,9 +163,11 @@ test("two fingers side by side pan", async () => {
 /** Fingers go down at `from`, move to `to` in eight steps, and up. */
 async function touchGesture([from], [to]) {
   const session = await page.context().newCDPSession(page);
-  const points = (share) => from.map(([x, y], i) => ({ id: i, x: x + (to[i][0] - x) * share, y: y + (to[i][1] - y) * share }));
+  const points = (share) =>
+    from.map(([x, y], i) => ({ id: i, x: x + (to[i][0] - x) * share, y: y + (to[i][1] - y) * share }));
   await session.send("Input.dispatchTouchEvent", { type: "touchStart", touchPoints: points(0) });
-  for (let i = 1; i <= 8; ++i) await session.send("Input.dispatchTouchEvent", { type: "touchMove", touchPoints: points(i / 8) });
+  for (let i = 1; i <= 8; ++i)
+    await session.send("Input.dispatchTouchEvent", { type: "touchMove", touchPoints: points(i / 8) });
   await session.send("Input.dispatchTouchEvent", { type: "touchEnd", touchPoints: [] });
   await session.detach();
   await settle(page);
@@ -148,11 +178,18 @@ test("the view buttons look along the axes, and fit shows the whole model", asyn
     const { eye, target } = await cameraOf(page);
     return subtract(eye, target).map((v) => v / Math.hypot(...subtract(eye, target)));
   };
-  for (const [view, axis] of [["front", [0, 0, 1]], ["right", [1, 0, 0]], ["top", [0, 1, 0]]]) {
+  for (const [view, axis] of [
+    ["front", [0, 0, 1]],
+    ["right", [1, 0, 0]],
+    ["top", [0, 1, 0]],
+  ]) {
     await page.click(`[data-view="${view}"]`);
     await settle(page);
     const direction = await directionOf();
-    assert.ok(distance(direction, axis) < 0.01 && Math.abs(direction[2] - axis[2]) < 0.01, `${view}: from ${direction}`);
+    assert.ok(
+      distance(direction, axis) < 0.01 && Math.abs(direction[2] - axis[2]) < 0.01,
+      `${view}: from ${direction}`,
+    );
   }
   await page.click('[data-view="three-quarter"]');
   await settle(page);

@@ -1,7 +1,17 @@
 // The page's contract with scripts and hosts (DESIGN.md section 7), in the page as it ships.
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
-import { call, cameraOf, launch, layoutOf, openPage, recordEvents, settle, takeEvents, valueOf } from "./support/page.mjs";
+import {
+  call,
+  cameraOf,
+  launch,
+  layoutOf,
+  openPage,
+  recordEvents,
+  settle,
+  takeEvents,
+  valueOf,
+} from "./support/page.mjs";
 
 let browser, tab, page;
 before(async () => {
@@ -16,21 +26,27 @@ after(async () => {
 
 /** The message of the Error that the call throws in the page. */
 async function errorOf(method, ...args) {
-  return page.evaluate(([name, list]) => {
-    try {
-      document.querySelector("dimline-editor")[name](...list);
-      return null;
-    } catch (error) {
-      return error instanceof Error ? error.message : "not an Error";
-    }
-  }, [method, args]);
+  return page.evaluate(
+    ([name, list]) => {
+      try {
+        document.querySelector("dimline-editor")[name](...list);
+        return null;
+      } catch (error) {
+        return error instanceof Error ? error.message : "not an Error";
+      }
+    },
+    [method, args],
+  );
 }
 
 test("ready resolves, and the element is the one of the tag", async () => {
-  assert.equal(await page.evaluate(async () => {
-    const element = document.querySelector("dimline-editor");
-    return (await element.ready) === undefined && element.model;
-  }), "house");
+  assert.equal(
+    await page.evaluate(async () => {
+      const element = document.querySelector("dimline-editor");
+      return (await element.ready) === undefined && element.model;
+    }),
+    "house",
+  );
 });
 
 test("getParameters describes every parameter", async () => {
@@ -38,7 +54,25 @@ test("getParameters describes every parameter", async () => {
   assert.ok(parameters.length >= 14, `the house has ${parameters.length} parameters`);
   assert.equal(new Set(parameters.map((p) => p.name)).size, parameters.length);
   for (const p of parameters) {
-    assert.deepEqual(Object.keys(p).sort(), ["annotation", "choices", "default", "group", "help", "max", "min", "name", "step", "title", "type", "unit", "value"], p.name);
+    assert.deepEqual(
+      Object.keys(p).sort(),
+      [
+        "annotation",
+        "choices",
+        "default",
+        "group",
+        "help",
+        "max",
+        "min",
+        "name",
+        "step",
+        "title",
+        "type",
+        "unit",
+        "value",
+      ],
+      p.name,
+    );
     assert.ok(p.title && p.help && p.group, `${p.name} has no title, help or group`);
     assert.ok(["m", "deg", "m2", ""].includes(p.unit), p.name);
     assert.deepEqual(p.value, p.default, `${p.name} does not start at its default`);
@@ -113,14 +147,18 @@ test("setParameters refuses what it cannot mean, says so, and changes nothing", 
     assert.ok(message.length > 20 && message.length < 300, `not a sentence: ${message}`);
   }
   // JSON cannot carry these into the page.
-  const messages = await page.evaluate((name) => [NaN, Infinity, undefined, 1n, Symbol("x")].map((value) => {
-    try {
-      document.querySelector("dimline-editor").setParameters({ [name]: value });
-      return "no error";
-    } catch (error) {
-      return error.message;
-    }
-  }), named("float"));
+  const messages = await page.evaluate(
+    (name) =>
+      [NaN, Infinity, undefined, 1n, Symbol("x")].map((value) => {
+        try {
+          document.querySelector("dimline-editor").setParameters({ [name]: value });
+          return "no error";
+        } catch (error) {
+          return error.message;
+        }
+      }),
+    named("float"),
+  );
   for (const message of messages) assert.match(message, new RegExp(named("float")));
   assert.deepEqual(await call(page, "getParameters"), parameters);
 });
@@ -145,7 +183,9 @@ test("a camera is given back as it was set", async () => {
 });
 
 function roundedCamera(camera) {
-  return JSON.parse(JSON.stringify(camera, (_, value) => (typeof value === "number" ? Number(value.toFixed(9)) : value)));
+  return JSON.parse(
+    JSON.stringify(camera, (_, value) => (typeof value === "number" ? Number(value.toFixed(9)) : value)),
+  );
 }
 
 test("setCamera refuses what is no camera, and says so", async () => {
@@ -183,7 +223,10 @@ test("layout has the frame's fields, and every annotated parameter once", async 
   // The members of a chain are lines of one parameter; without a chain there is one line.
   const shown = new Map();
   for (const { parameter, chain } of frame.lines) {
-    assert.ok(!shown.has(parameter) || (chain !== null && shown.get(parameter) !== null), `${parameter} has several lines without a chain`);
+    assert.ok(
+      !shown.has(parameter) || (chain !== null && shown.get(parameter) !== null),
+      `${parameter} has several lines without a chain`,
+    );
     shown.set(parameter, chain);
   }
   const reasons = new Set(["occluded", "out-of-view", "too-short", "foreshortened", "crowded", "no-scope"]);
@@ -193,7 +236,9 @@ test("layout has the frame's fields, and every annotated parameter once", async 
   }
   const accounted = [...shown.keys(), ...frame.others.map((o) => o.parameter), ...frame.hidden.map((h) => h.parameter)];
   assert.equal(new Set(accounted).size, shown.size + frame.others.length + frame.hidden.length);
-  const drawn = (await call(page, "getParameters")).filter((p) => /type=(linear|diametric|radial|spherical)/.test(p.annotation));
+  const drawn = (await call(page, "getParameters")).filter((p) =>
+    /type=(linear|diametric|radial|spherical)/.test(p.annotation),
+  );
   for (const { name } of drawn) assert.ok(accounted.includes(name), `${name} is neither shown nor hidden`);
 });
 
@@ -208,15 +253,24 @@ test("each label's element stands in its layout's box, and is as wide", async ()
       const range = document.createRange();
       range.selectNodeContents(node);
       const [box, text] = [node.getBoundingClientRect(), range.getBoundingClientRect()];
-      return { text: node.textContent, box: [box.left - origin.left, box.top - origin.top, box.right - origin.left, box.bottom - origin.top], textWidth: text.width };
+      return {
+        text: node.textContent,
+        box: [box.left - origin.left, box.top - origin.top, box.right - origin.left, box.bottom - origin.top],
+        textWidth: text.width,
+      };
     });
   });
   assert.equal(shown.length, labelled.length);
   for (const line of labelled) {
     const [x0, y0, x1, y1] = line.label.box;
-    const match = shown.find((label) => label.text === line.text && Math.hypot(label.box[0] - x0, label.box[1] - y0) < 1);
+    const match = shown.find(
+      (label) => label.text === line.text && Math.hypot(label.box[0] - x0, label.box[1] - y0) < 1,
+    );
     assert.ok(match, `no label "${line.text}" at ${line.label.box}`);
-    assert.ok(Math.abs(match.textWidth - (x1 - x0)) < 0.5, `"${line.text}" is ${match.textWidth} px wide, its box ${x1 - x0}`);
+    assert.ok(
+      Math.abs(match.textWidth - (x1 - x0)) < 0.5,
+      `"${line.text}" is ${match.textWidth} px wide, its box ${x1 - x0}`,
+    );
     assert.ok(Math.abs(match.box[3] - y1) < 1);
   }
 });
@@ -239,18 +293,28 @@ test("input while a value moves, one change and one undo step at its end", async
 test("a model that there is not: an error event, and the document stays", async () => {
   await takeEvents(page);
   const before = await layoutOf(page);
-  const message = await page.evaluate(() => new Promise((resolve) => {
-    const editor = document.querySelector("dimline-editor");
-    editor.addEventListener("error", (event) => resolve(event.error instanceof Error ? event.message : "no Error"), { once: true });
-    editor.model = "castle";
-  }));
+  const message = await page.evaluate(
+    () =>
+      new Promise((resolve) => {
+        const editor = document.querySelector("dimline-editor");
+        editor.addEventListener(
+          "error",
+          (event) => resolve(event.error instanceof Error ? event.message : "no Error"),
+          { once: true },
+        );
+        editor.model = "castle";
+      }),
+  );
   assert.match(message, /castle/);
   assert.match(message, /house/, "the message should say what there is");
   await settle(page);
   assert.deepEqual((await layoutOf(page)).lines, before.lines);
   await page.evaluate(() => (document.querySelector("dimline-editor").model = "house"));
   await settle(page);
-  assert.deepEqual((await takeEvents(page)).filter((type) => type !== "camera-change"), ["error", "load"]);
+  assert.deepEqual(
+    (await takeEvents(page)).filter((type) => type !== "camera-change"),
+    ["error", "load"],
+  );
 });
 
 test("nothing of all this made the page complain", () => {

@@ -1,7 +1,20 @@
 // The main job: dragging a dimension line's arrow changes the house, and everything follows.
 import assert from "node:assert/strict";
 import { after, before, beforeEach, test } from "node:test";
-import { call, distance, launch, layoutOf, lineOf, openPage, pictureBox, recordEvents, screenshot, settle, takeEvents, valueOf } from "./support/page.mjs";
+import {
+  call,
+  distance,
+  launch,
+  layoutOf,
+  lineOf,
+  openPage,
+  pictureBox,
+  recordEvents,
+  screenshot,
+  settle,
+  takeEvents,
+  valueOf,
+} from "./support/page.mjs";
 import { colourStatistics, decodePng, pixelAt } from "./support/png.mjs";
 
 const kWidth = "Width";
@@ -31,7 +44,8 @@ async function widthHandle() {
   const [from, to] = handle.end === "end" ? line.line.screen : [...line.line.screen].reverse();
   const length = distance(from, to);
   return {
-    line, handle,
+    line,
+    handle,
     grip: gripOf(handle.screen, [from, to], box),
     direction: [(to[0] - from[0]) / length, (to[1] - from[1]) / length],
   };
@@ -53,7 +67,12 @@ test("the width's arrow, dragged 60 px: value, geometry and panel follow, and th
   assert.ok(Math.abs(worldLength(line.base.world) - start) < 1e-6, "the base line is as long as the value says");
   await page.mouse.move(...grip);
   await settle(page);
-  assert.equal(await page.evaluate(() => getComputedStyle(document.querySelector("dimline-editor").shadowRoot.querySelector(".stage")).cursor), "grab");
+  assert.equal(
+    await page.evaluate(
+      () => getComputedStyle(document.querySelector("dimline-editor").shadowRoot.querySelector(".stage")).cursor,
+    ),
+    "grab",
+  );
   await page.mouse.down();
   const travelPx = 60;
   let previous = start;
@@ -66,7 +85,10 @@ test("the width's arrow, dragged 60 px: value, geometry and panel follow, and th
     // The value moves in steps, so the tip may be half a step off.
     const { step } = (await call(page, "getParameters")).find((p) => p.name === kWidth);
     const stepPx = (step * distance(...now.line.screen)) / worldLength(now.line.world);
-    assert.ok(distance(tip, wanted) <= Math.max(3, stepPx / 2 + 1), `after ${px} px the arrow is ${distance(tip, wanted).toFixed(1)} px from the pointer`);
+    assert.ok(
+      distance(tip, wanted) <= Math.max(3, stepPx / 2 + 1),
+      `after ${px} px the arrow is ${distance(tip, wanted).toFixed(1)} px from the pointer`,
+    );
     const value = await valueOf(page, kWidth);
     assert.ok(value >= previous, `${value} after ${previous}`);
     previous = value;
@@ -89,7 +111,10 @@ test("the width's arrow, dragged 60 px: value, geometry and panel follow, and th
 
   const picture = decodePng(await screenshot(page, "after-width-drag"));
   const { colours, commonest } = colourStatistics(picture);
-  assert.ok(colours > 40 && commonest < 0.9, `the picture has ${colours} colours, one of them on ${(commonest * 100).toFixed(0)} %`);
+  assert.ok(
+    colours > 40 && commonest < 0.9,
+    `the picture has ${colours} colours, one of them on ${(commonest * 100).toFixed(0)} %`,
+  );
 
   await page.keyboard.press("Control+z");
   await settle(page);
@@ -114,7 +139,8 @@ test("hovering over an arrow leaves the picture under the lines as it is", async
   await settle(page);
   const hovered = decodePng(await page.screenshot({ clip: box }));
   let changed = 0;
-  for (let i = 0; i < before.pixels.length; i += before.channels) changed += Math.abs(before.pixels[i] - hovered.pixels[i]) > 16 ? 1 : 0;
+  for (let i = 0; i < before.pixels.length; i += before.channels)
+    changed += Math.abs(before.pixels[i] - hovered.pixels[i]) > 16 ? 1 : 0;
   for (const [name, picture] of Object.entries({ before, hovered })) {
     const [red, green, blue] = pixelAt(picture, 3, 3);
     assert.ok(Math.min(red, green, blue) > 200, `${name}: the sky is ${[red, green, blue]}`);
@@ -151,7 +177,8 @@ test("a finger drags an arrow as a mouse does", async () => {
   const session = await page.context().newCDPSession(page);
   const at = (px) => [{ x: grip[0] + direction[0] * px, y: grip[1] + direction[1] * px }];
   await session.send("Input.dispatchTouchEvent", { type: "touchStart", touchPoints: at(0) });
-  for (let px = 10; px <= 60; px += 10) await session.send("Input.dispatchTouchEvent", { type: "touchMove", touchPoints: at(px) });
+  for (let px = 10; px <= 60; px += 10)
+    await session.send("Input.dispatchTouchEvent", { type: "touchMove", touchPoints: at(px) });
   await settle(page);
   const tip = lineOf(await layoutOf(page), kWidth).handles.find((candidate) => candidate.end === handle.end).screen;
   assert.ok(distance(tip, [handle.screen[0] + direction[0] * 60, handle.screen[1] + direction[1] * 60]) <= 3);
@@ -193,7 +220,11 @@ test("every line's handle moves its parameter both ways", async () => {
       const grip = gripOf(handle.screen, [from, to], box);
       await page.mouse.move(...grip);
       await page.mouse.down();
-      await page.mouse.move(grip[0] + ((to[0] - from[0]) / length) * travelPx, grip[1] + ((to[1] - from[1]) / length) * travelPx, { steps: 4 });
+      await page.mouse.move(
+        grip[0] + ((to[0] - from[0]) / length) * travelPx,
+        grip[1] + ((to[1] - from[1]) / length) * travelPx,
+        { steps: 4 },
+      );
       await settle(page);
       const value = await valueOf(page, name);
       const stuck = travelPx > 0 ? start === max : start === min;

@@ -20,7 +20,12 @@ function makeCameras() {
       target[1] + range * Math.sin(elevation),
       target[2] + range * Math.cos(elevation) * Math.cos(azimuth),
     ];
-    cameras.push({ eye, target, up: [0, 1, 0], ...(i % 5 === 4 ? { orthoHeight: 10 + range / 4 } : { fovDeg: 25 + (i % 7) * 6 }) });
+    cameras.push({
+      eye,
+      target,
+      up: [0, 1, 0],
+      ...(i % 5 === 4 ? { orthoHeight: 10 + range / 4 } : { fovDeg: 25 + (i % 7) * 6 }),
+    });
   }
   return cameras;
 }
@@ -66,7 +71,10 @@ for (const dpr of [1, 1.5, 3]) {
       let compared = 0;
       let thin = 0;
       measured.forEach(({ cpu, gpu }, c) => {
-        assert.deepEqual([cpu.width, cpu.height, gpu.width, gpu.height], [box.width, box.height, box.width, box.height]);
+        assert.deepEqual(
+          [cpu.width, cpu.height, gpu.width, gpu.height],
+          [box.width, box.height, box.width, box.height],
+        );
         for (const side of Object.keys(kSides)) {
           const count = side === "left" || side === "right" ? box.height : box.width;
           const extent = side === "left" || side === "right" ? box.width : box.height;
@@ -81,11 +89,17 @@ for (const dpr of [1, 1.5, 3]) {
             assert.ok(nearWidened[i] <= far[i] + 1, `${where}: the CPU's field is farther from the edge`);
             if (farWidened[i] <= near[i] + 1) continue;
             ++thin;
-            assert.ok(!hasThickPart(masks[c], side, i, near[i], farWidened[i]), `${where}: the GPU missed a part that is 2 px wide`);
+            assert.ok(
+              !hasThickPart(masks[c], side, i, near[i], farWidened[i]),
+              `${where}: the GPU missed a part that is 2 px wide`,
+            );
           }
         }
       });
-      assert.ok(compared > 0.2 * kCameras * 2 * (box.width + box.height), `only ${compared} rows and columns held anything`);
+      assert.ok(
+        compared > 0.2 * kCameras * 2 * (box.width + box.height),
+        `only ${compared} rows and columns held anything`,
+      );
       assert.ok(thin < 0.03 * compared, `${thin} of ${compared} rows and columns differ`);
       assert.deepEqual(complaints, []);
     });
@@ -102,7 +116,10 @@ test("the page can be told which producer to use", async () => {
       assert.equal(await page.evaluate(() => document.querySelector("dimline-editor").fieldsFrom), producer);
       layouts[producer] = await call(page, "layout");
     }
-    assert.deepEqual(layouts.gpu.lines.map((l) => l.parameter).sort(), layouts.cpu.lines.map((l) => l.parameter).sort());
+    assert.deepEqual(
+      layouts.gpu.lines.map((l) => l.parameter).sort(),
+      layouts.cpu.lines.map((l) => l.parameter).sort(),
+    );
     const message = await page.evaluate(() => {
       try {
         document.querySelector("dimline-editor").fieldsFrom = "abacus";

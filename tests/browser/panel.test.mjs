@@ -1,7 +1,7 @@
 // The page around the picture: the panel's form controls, the toolbar, and how it fits small and large windows.
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
-import { call, launch, layoutOf, openPage, pictureBox, screenshot, settle, valueOf } from "./support/page.mjs";
+import { call, launch, layoutOf, openPage, pictureBox, ready, screenshot, settle, valueOf } from "./support/page.mjs";
 import { colourStatistics, decodePng } from "./support/png.mjs";
 
 let browser, tab, page;
@@ -22,7 +22,9 @@ test("the page opens under its strict policy without a complaint, and shows a pi
   const policy = response.headers()["content-security-policy"];
   assert.match(policy, /script-src 'self' 'wasm-unsafe-eval'(;|$)/);
   assert.match(policy, /style-src 'self'(;|$)/);
-  const { colours, commonest } = colourStatistics(decodePng(await screenshot(page, "opening", { clip: await pictureBox(page) })));
+  const { colours, commonest } = colourStatistics(
+    decodePng(await screenshot(page, "opening", { clip: await pictureBox(page) })),
+  );
   assert.ok(colours > 30 && commonest < 0.95, `${colours} colours, one of them on ${(commonest * 100).toFixed(0)} %`);
   assert.deepEqual(tab.complaints, []);
 });
@@ -39,11 +41,20 @@ test("every parameter has a labelled control with its value, its unit and its he
       const slider = page.getByLabel(p.title, { exact: true }).and(page.locator("input[type=range]"));
       assert.equal(Number(await number.inputValue()), p.value, p.name);
       assert.equal(Number(await slider.inputValue()), p.value, p.name);
-      assert.deepEqual([await slider.getAttribute("min"), await slider.getAttribute("max")].map(Number), [p.min, p.max]);
+      assert.deepEqual([await slider.getAttribute("min"), await slider.getAttribute("max")].map(Number), [
+        p.min,
+        p.max,
+      ]);
     } else if (p.type === "bool") {
       assert.equal(await page.getByRole("switch", { name: p.title }).isChecked(), p.value);
     } else {
-      assert.equal(await page.getByRole("radiogroup", { name: p.title }).getByRole("radio", { checked: true }).getAttribute("value"), p.value);
+      assert.equal(
+        await page
+          .getByRole("radiogroup", { name: p.title })
+          .getByRole("radio", { checked: true })
+          .getAttribute("value"),
+        p.value,
+      );
     }
   }
   const groups = await page.locator("#panel h2").allTextContents();
@@ -79,12 +90,20 @@ test("a slider in motion changes the house as it moves, and is one undo step", a
 test("a typed number is taken, clamped, and nonsense is put back", async () => {
   const { min, max } = (await parameters()).find((p) => p.name === "Depth");
   const number = row("Depth").locator("input[type=number]");
-  for (const [typed, expected] of [["9.37", 9.37], ["1000", max], ["-3", min], ["", min]]) {
+  for (const [typed, expected] of [
+    ["9.37", 9.37],
+    ["1000", max],
+    ["-3", min],
+    ["", min],
+  ]) {
     await number.fill(typed);
     await number.press("Enter");
     await settle(page);
     assert.equal(await valueOf(page, "Depth"), expected, `typed "${typed}"`);
-    assert.ok(Math.abs(Number(await number.inputValue()) - expected) < 0.051, `typed "${typed}", shown ${await number.inputValue()}`);
+    assert.ok(
+      Math.abs(Number(await number.inputValue()) - expected) < 0.051,
+      `typed "${typed}", shown ${await number.inputValue()}`,
+    );
   }
   await number.fill("8");
   await number.press("Escape");
@@ -116,7 +135,9 @@ test("reset brings back one value, reset all brings back all, and both can be un
   await settle(page);
   assert.ok((await parameters()).every((p) => p.value === p.default));
   assert.ok(await page.isDisabled("#reset-all"));
-  assert.ok(await page.getByRole("button", { name: `Reset ${first.title}`, exact: true, includeHidden: true }).isDisabled());
+  assert.ok(
+    await page.getByRole("button", { name: `Reset ${first.title}`, exact: true, includeHidden: true }).isDisabled(),
+  );
   await page.click("#undo");
   await settle(page);
   assert.equal((await parameters()).filter((p) => p.value !== p.default).length, changed.length - 1);
@@ -125,11 +146,17 @@ test("reset brings back one value, reset all brings back all, and both can be un
 });
 
 test("everything that can be clicked has a name and is at least 24 px in both directions", async () => {
-  const small = await page.evaluate(() => [...document.querySelectorAll("button, input, select")].filter((node) => node.checkVisibility({ visibilityProperty: true })).flatMap((node) => {
-    const { width, height } = node.getBoundingClientRect();
-    const name = node.getAttribute("aria-label") ?? node.labels?.[0]?.textContent ?? node.textContent;
-    return name?.trim() && width >= 23.5 && height >= 23.5 ? [] : [`${node.outerHTML.slice(0, 90)} ${width} x ${height}`];
-  }));
+  const small = await page.evaluate(() =>
+    [...document.querySelectorAll("button, input, select")]
+      .filter((node) => node.checkVisibility({ visibilityProperty: true }))
+      .flatMap((node) => {
+        const { width, height } = node.getBoundingClientRect();
+        const name = node.getAttribute("aria-label") ?? node.labels?.[0]?.textContent ?? node.textContent;
+        return name?.trim() && width >= 23.5 && height >= 23.5
+          ? []
+          : [`${node.outerHTML.slice(0, 90)} ${width} x ${height}`];
+      }),
+  );
   assert.deepEqual(small, []);
 });
 
@@ -137,17 +164,25 @@ test("reloading starts anew, without a complaint", async () => {
   await call(page, "setParameters", { Width: 9 });
   await settle(page);
   await page.reload();
-  await page.evaluate(() => document.querySelector("dimline-editor").ready);
+  await ready(page);
   await settle(page);
   const width = (await parameters()).find((p) => p.name === "Width");
   assert.equal(width.value, width.default);
   assert.deepEqual(tab.complaints, []);
 });
 
-for (const [name, width, height, dpr, touch] of [["phone", 360, 740, 3, true], ["landscape phone", 740, 360, 2, true], ["tablet", 768, 1024, 1.5, true], ["4K", 3840, 2160, 1, false]]) {
+for (const [name, width, height, dpr, touch] of [
+  ["phone", 360, 740, 3, true],
+  ["landscape phone", 740, 360, 2, true],
+  ["tablet", 768, 1024, 1.5, true],
+  ["4K", 3840, 2160, 1, false],
+]) {
   test(`${name}, ${width} x ${height}: nothing is cut off, the picture dominates, and lines are shown`, async () => {
     const { page: other, complaints, close } = await openPage(browser, { width, height, dpr, touch });
-    const overflow = await other.evaluate(() => [document.documentElement.scrollWidth - innerWidth, document.documentElement.scrollHeight - innerHeight]);
+    const overflow = await other.evaluate(() => [
+      document.documentElement.scrollWidth - innerWidth,
+      document.documentElement.scrollHeight - innerHeight,
+    ]);
     assert.deepEqual(overflow, [0, 0], "the page scrolls");
     const box = await pictureBox(other);
     assert.ok(box.width * box.height > 0.4 * width * height, `the picture has ${box.width} x ${box.height}`);
@@ -156,14 +191,26 @@ for (const [name, width, height, dpr, touch] of [["phone", 360, 740, 3, true], [
       const canvas = document.querySelector("dimline-editor").shadowRoot.querySelector("canvas");
       return [canvas.width, canvas.height];
     });
-    assert.ok(Math.abs(device[0] - box.width * dpr) <= 1 && Math.abs(device[1] - box.height * dpr) <= 1, `the canvas has ${device} pixels`);
-    const cut = await other.evaluate(() => [...document.querySelectorAll(".views button, .history button, #title")].filter((node) => {
-      const r = node.getBoundingClientRect();
-      return r.right > innerWidth + 0.5 || r.bottom > innerHeight + 0.5 || r.left < 0 || r.top < 0;
-    }).map((node) => node.id || node.dataset.view));
+    assert.ok(
+      Math.abs(device[0] - box.width * dpr) <= 1 && Math.abs(device[1] - box.height * dpr) <= 1,
+      `the canvas has ${device} pixels`,
+    );
+    const cut = await other.evaluate(() =>
+      [...document.querySelectorAll(".views button, .history button, #title")]
+        .filter((node) => {
+          const r = node.getBoundingClientRect();
+          return r.right > innerWidth + 0.5 || r.bottom > innerHeight + 0.5 || r.left < 0 || r.top < 0;
+        })
+        .map((node) => node.id || node.dataset.view),
+    );
     assert.deepEqual(cut, []);
     if (touch) {
-      const narrowTargets = await other.evaluate(() => [...document.querySelectorAll("#panel input[type=range], .views button, .history button")].filter((n) => n.getBoundingClientRect().height < 40).length);
+      const narrowTargets = await other.evaluate(
+        () =>
+          [...document.querySelectorAll("#panel input[type=range], .views button, .history button")].filter(
+            (n) => n.getBoundingClientRect().height < 40,
+          ).length,
+      );
       assert.equal(narrowTargets, 0, "targets for fingers are too small");
     }
     await screenshot(other, `size-${name.replace(" ", "-")}`);

@@ -1,7 +1,18 @@
 // What can go wrong around the element: lost contexts, wrong input, missing pieces, coming and going.
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
-import { call, launch, layoutOf, openPage, pageUrl, pictureBox, screenshot, settle, valueOf, withBrowser } from "./support/page.mjs";
+import {
+  call,
+  launch,
+  layoutOf,
+  openPage,
+  pictureBox,
+  ready,
+  screenshot,
+  settle,
+  valueOf,
+  withBrowser,
+} from "./support/page.mjs";
 import { colourStatistics, decodePng } from "./support/png.mjs";
 
 let browser;
@@ -13,8 +24,13 @@ after(async () => {
 });
 
 async function assertPicture(page, name) {
-  const { colours, commonest } = colourStatistics(decodePng(await screenshot(page, name, { clip: await pictureBox(page) })));
-  assert.ok(colours > 30 && commonest < 0.9, `${name}: ${colours} colours, one of them on ${(commonest * 100).toFixed(0)} %`);
+  const { colours, commonest } = colourStatistics(
+    decodePng(await screenshot(page, name, { clip: await pictureBox(page) })),
+  );
+  assert.ok(
+    colours > 30 && commonest < 0.9,
+    `${name}: ${colours} colours, one of them on ${(commonest * 100).toFixed(0)} %`,
+  );
 }
 
 test("a lost graphics context comes back with the picture, the values and the camera", async () => {
@@ -37,7 +53,10 @@ test("a lost graphics context comes back with the picture, the values and the ca
   assert.equal(await valueOf(page, "Width"), 10);
   assert.deepEqual(await call(page, "getCamera"), before.camera);
   assert.deepEqual((await layoutOf(page)).lines, before.layout.lines);
-  assert.deepEqual(complaints.filter((line) => !/CONTEXT_LOST|context lost/i.test(line)), []);
+  assert.deepEqual(
+    complaints.filter((line) => !/CONTEXT_LOST|context lost/i.test(line)),
+    [],
+  );
   await close();
 });
 
@@ -65,29 +84,43 @@ test("while the context is away the page lives on", async () => {
 });
 
 test("without WebGL 2 the page says so", async () => {
-  await withBrowser(async (without) => {
-    const { page, close } = await openPage(without, { waitReady: false });
-    const reason = await page.evaluate(() => document.querySelector("dimline-editor").ready.then(() => "ready", (error) => error.message));
-    assert.match(reason, /WebGL 2/);
-    const shown = page.locator("dimline-editor").getByRole("alert");
-    assert.match(await shown.textContent(), /WebGL 2/);
-    assert.ok(await shown.isVisible());
-    await close();
-  }, ["--disable-3d-apis"]);
+  await withBrowser(
+    async (without) => {
+      const { page, close } = await openPage(without, { waitReady: false });
+      const reason = await page.evaluate(() =>
+        document.querySelector("dimline-editor").ready.then(
+          () => "ready",
+          (error) => error.message,
+        ),
+      );
+      assert.match(reason, /WebGL 2/);
+      const shown = page.locator("dimline-editor").getByRole("alert");
+      assert.match(await shown.textContent(), /WebGL 2/);
+      assert.ok(await shown.isVisible());
+      await close();
+    },
+    ["--disable-3d-apis"],
+  );
 });
 
 test("a core that cannot be loaded: a message, and trying again works", async () => {
   let broken = true;
   const { page, close } = await openPage(browser, {
     waitReady: false,
-    prepare: (tab) => tab.route(/dimline\.wasm/, (route) => (broken ? route.fulfill({ status: 404, body: "gone" }) : route.continue())),
+    prepare: (tab) =>
+      tab.route(/dimline\.wasm/, (route) => (broken ? route.fulfill({ status: 404, body: "gone" }) : route.continue())),
   });
-  const reason = await page.evaluate(() => document.querySelector("dimline-editor").ready.then(() => "ready", (error) => error.message));
+  const reason = await page.evaluate(() =>
+    document.querySelector("dimline-editor").ready.then(
+      () => "ready",
+      (error) => error.message,
+    ),
+  );
   assert.match(reason, /dimline\.wasm/);
   assert.match(await page.locator("dimline-editor").getByRole("alert").textContent(), /cannot be shown.*dimline\.wasm/);
   broken = false;
   await page.locator("dimline-editor").getByRole("button", { name: "Try again" }).click();
-  await page.evaluate(() => document.querySelector("dimline-editor").ready);
+  await ready(page);
   await settle(page);
   await assertPicture(page, "after-second-try");
   assert.ok((await page.locator("#panel .row").count()) >= 14);
@@ -100,11 +133,16 @@ test("a module that cannot be loaded: the same", async () => {
     waitReady: false,
     prepare: (tab) => tab.route(/dimline\.js/, (route) => (broken ? route.abort() : route.continue())),
   });
-  const reason = await page.evaluate(() => document.querySelector("dimline-editor").ready.then(() => "ready", (error) => error.message));
+  const reason = await page.evaluate(() =>
+    document.querySelector("dimline-editor").ready.then(
+      () => "ready",
+      (error) => error.message,
+    ),
+  );
   assert.match(reason, /dimline\.js/);
   broken = false;
   await page.locator("dimline-editor").getByRole("button", { name: "Try again" }).click();
-  await page.evaluate(() => document.querySelector("dimline-editor").ready);
+  await ready(page);
   await settle(page);
   await assertPicture(page, "after-second-try-of-module");
   await close();
@@ -117,7 +155,9 @@ test("an unknown model in the attribute: a message in the picture, and another m
     other.id = "other";
     other.setAttribute("model", "igloo");
     other.style.cssText = "position: fixed; left: 0; top: 0; width: 400px; height: 300px";
-    const failed = new Promise((resolve) => other.addEventListener("error", (event) => resolve(event.message), { once: true }));
+    const failed = new Promise((resolve) =>
+      other.addEventListener("error", (event) => resolve(event.message), { once: true }),
+    );
     document.body.append(other);
     await other.ready;
     return failed;
@@ -150,7 +190,10 @@ test("two elements on a page do not know each other; one that leaves frees what 
     const widthOf = (editor) => editor.getParameters().find((p) => p.name === "Width").value;
     const before = [widthOf(first), widthOf(second), second.layout().size];
     const gl = second.shadowRoot.querySelector("canvas").getContext("webgl2");
-    const waiting = second.settled().then(() => "settled", (error) => error.message);
+    const waiting = second.settled().then(
+      () => "settled",
+      (error) => error.message,
+    );
     second.remove();
     await new Promise((resolve) => setTimeout(resolve, 50));
     let thrown = "";
@@ -170,7 +213,16 @@ test("two elements on a page do not know each other; one that leaves frees what 
     await second.settled();
     const moved = widthOf(second);
     second.remove();
-    return { before, thrown, lost, why, again, moved, first: widthOf(first), default: first.getParameters().find((p) => p.name === "Width").default };
+    return {
+      before,
+      thrown,
+      lost,
+      why,
+      again,
+      moved,
+      first: widthOf(first),
+      default: first.getParameters().find((p) => p.name === "Width").default,
+    };
   });
   assert.deepEqual(state.before, [state.default, 9, [500, 400]]);
   assert.match(state.thrown, /ready/);
@@ -179,7 +231,10 @@ test("two elements on a page do not know each other; one that leaves frees what 
   assert.equal(state.again, state.default);
   assert.equal(state.moved, 11);
   assert.equal(state.first, state.default);
-  assert.deepEqual(complaints.filter((line) => !/CONTEXT_LOST|context lost/i.test(line)), []);
+  assert.deepEqual(
+    complaints.filter((line) => !/CONTEXT_LOST|context lost/i.test(line)),
+    [],
+  );
   await close();
 });
 
@@ -201,7 +256,13 @@ test("before it is ready, a call says what to wait for", async () => {
 test("a viewport of no size loses nothing", async () => {
   const { page, complaints, close } = await openPage(browser);
   const before = await layoutOf(page);
-  for (const style of ["display: none", "width: 0", "height: 0", "width: 1px; height: 1px", "width: 0.4px; height: 300px"]) {
+  for (const style of [
+    "display: none",
+    "width: 0",
+    "height: 0",
+    "width: 1px; height: 1px",
+    "width: 0.4px; height: 300px",
+  ]) {
     await page.evaluate((css) => {
       const editor = document.querySelector("#editor");
       editor.style.cssText = `inset: auto; ${css}`;

@@ -8,7 +8,8 @@ import { call, cameraOf, layoutOf, openPage, pictureBox, settle, withBrowser } f
 /** Points along a segment, half a pixel apart. */
 function* along([from, to]) {
   const steps = Math.max(1, Math.ceil(Math.hypot(to[0] - from[0], to[1] - from[1]) * 2));
-  for (let i = 0; i <= steps; ++i) yield [from[0] + ((to[0] - from[0]) * i) / steps, from[1] + ((to[1] - from[1]) * i) / steps];
+  for (let i = 0; i <= steps; ++i)
+    yield [from[0] + ((to[0] - from[0]) * i) / steps, from[1] + ((to[1] - from[1]) * i) / steps];
 }
 
 function pixelsOnModel(mask, points) {
@@ -67,7 +68,12 @@ test("while the visitor orbits, no outside line and no outside label touches the
     frames.forEach((frame, i) => {
       const witness = document.frames[i];
       for (const matrix of ["view", "projection"]) {
-        frame[matrix].forEach((value, k) => assert.ok(Math.abs(value - witness[matrix][k]) < 1e-9, `camera ${i}: ${matrix} differs from the command line's`));
+        frame[matrix].forEach((value, k) =>
+          assert.ok(
+            Math.abs(value - witness[matrix][k]) < 1e-9,
+            `camera ${i}: ${matrix} differs from the command line's`,
+          ),
+        );
       }
       const mask = eroded(masks[i]);
       assert.ok(mask.pixels.filter(Boolean).length > 0.02 * mask.pixels.length, `camera ${i}: the mask is empty`);
@@ -77,7 +83,8 @@ test("while the visitor orbits, no outside line and no outside label touches the
         const where = `camera ${i} (${JSON.stringify(cameras[i])}), ${line.parameter}`;
         assert.equal(pixelsOnModel(mask, along(line.line.screen)), 0, `${where}: the line crosses the house`);
         assert.ok(clearance(masks[i], along(line.line.screen), 40) > 28, `${where}: the line is nearer than 28 px`);
-        if (line.label) assert.equal(pixelsOnModel(mask, inBox(line.label.box)), 0, `${where}: the label is on the house`);
+        if (line.label)
+          assert.equal(pixelsOnModel(mask, inBox(line.label.box)), 0, `${where}: the label is on the house`);
       }
     });
     assert.ok(outside > 3 * frames.length, `only ${outside} lines lay outside in ${frames.length} views`);
@@ -91,6 +98,14 @@ test("the test can fail: a line through the middle of the house is found", async
   const mask = eroded(masks[0]);
   const base = document.frames[0].lines.find((line) => line.parameter === "Width").base.screen;
   const middle = [300, 200];
-  assert.ok(pixelsOnModel(mask, along([[middle[0] - 20, middle[1]], [middle[0] + 20, middle[1]]])) > 20);
+  assert.ok(
+    pixelsOnModel(
+      mask,
+      along([
+        [middle[0] - 20, middle[1]],
+        [middle[0] + 20, middle[1]],
+      ]),
+    ) > 20,
+  );
   assert.ok(clearance(masks[0], along(base), 40) < 5);
 });

@@ -14,7 +14,8 @@ async function openCore(t) {
 }
 
 function settle(core) {
-  for (let frame = 0; core.frame(frame * 16) || !core.atRest; ++frame) assert.ok(frame < 1000, "the core comes to rest");
+  for (let frame = 0; core.frame(frame * 16) || !core.atRest; ++frame)
+    assert.ok(frame < 1000, "the core comes to rest");
 }
 
 test("the element's module can be imported, and there is no element", async () => {

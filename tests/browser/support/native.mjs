@@ -22,12 +22,23 @@ export async function nativeLayout(model, cameras, { width, height, values = {} 
     await writeFile(join(folder, "cameras.json"), JSON.stringify(cameras));
     const settings = Object.entries(values).flatMap(([name, value]) => ["--set", `${name}=${value}`]);
     await promisify(execFile)(kProgram, [
-      "layout", model, ...settings, "--cameras", join(folder, "cameras.json"), "--size", `${width}x${height}`,
-      "--masks", folder, "-o", join(folder, "layout.json"),
+      "layout",
+      model,
+      ...settings,
+      "--cameras",
+      join(folder, "cameras.json"),
+      "--size",
+      `${width}x${height}`,
+      "--masks",
+      folder,
+      "-o",
+      join(folder, "layout.json"),
     ]);
     const document = JSON.parse(await readFile(join(folder, "layout.json"), "utf8"));
     assert.equal(document.frames.length, cameras.length);
-    const masks = await Promise.all(cameras.map(async (_, i) => decodePgm(await readFile(join(folder, `${String(i).padStart(4, "0")}.pgm`)))));
+    const masks = await Promise.all(
+      cameras.map(async (_, i) => decodePgm(await readFile(join(folder, `${String(i).padStart(4, "0")}.pgm`)))),
+    );
     return { document, masks };
   } finally {
     await rm(folder, { recursive: true, force: true });
@@ -54,7 +65,8 @@ export function eroded(mask) {
   for (let y = 0; y < mask.height; ++y) {
     for (let x = 0; x < mask.width; ++x) {
       let all = true;
-      for (let dy = -1; dy <= 1 && all; ++dy) for (let dx = -1; dx <= 1 && all; ++dx) all = covered(mask, x + dx, y + dy);
+      for (let dy = -1; dy <= 1 && all; ++dy)
+        for (let dx = -1; dx <= 1 && all; ++dx) all = covered(mask, x + dx, y + dy);
       pixels[y * mask.width + x] = all ? 255 : 0;
     }
   }

@@ -3,15 +3,25 @@ import assert from "node:assert/strict";
 import { chromium } from "playwright-core";
 
 const kChromiumArguments = [
-  "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--no-sandbox", "--disable-dev-shm-usage", "--disable-quic", "--no-first-run",
-  "--disable-background-networking", "--disable-component-update", "--disable-sync",
+  "--use-angle=swiftshader",
+  "--enable-unsafe-swiftshader",
+  "--no-sandbox",
+  "--disable-dev-shm-usage",
+  "--disable-quic",
+  "--no-first-run",
+  "--disable-background-networking",
+  "--disable-component-update",
+  "--disable-sync",
 ];
 
 // Starting the core and drawing the first frame takes a second or two on software GL, and far longer on a busy machine.
 const kPatienceMs = 60_000;
 
 export function pageUrl(path = "") {
-  assert.ok(process.env.DIMLINE_URL, "DIMLINE_URL is not set: run the browser tests by python3 tools/test.py --only browser");
+  assert.ok(
+    process.env.DIMLINE_URL,
+    "DIMLINE_URL is not set: run the browser tests by python3 tools/test.py --only browser",
+  );
   return new URL(path, process.env.DIMLINE_URL).href;
 }
 
@@ -42,22 +52,36 @@ export async function withBrowser(body, moreArguments) {
  *   complaints: console errors and warnings, uncaught exceptions and refused requests so far
  */
 export async function openPage(browser, options = {}) {
-  const { width = 1280, height = 800, dpr = 1, touch = false, path = "", prepare, reducedMotion = "no-preference", waitReady = true } = options;
+  const {
+    width = 1000,
+    height = 700,
+    dpr = 1,
+    touch = false,
+    path = "",
+    prepare,
+    reducedMotion = "no-preference",
+    waitReady = true,
+  } = options;
   const context = await browser.newContext({
-    viewport: { width, height }, deviceScaleFactor: dpr, hasTouch: touch, isMobile: touch, reducedMotion,
+    viewport: { width, height },
+    deviceScaleFactor: dpr,
+    hasTouch: touch,
+    isMobile: touch,
+    reducedMotion,
   });
   const page = await context.newPage();
   page.setDefaultTimeout(kPatienceMs);
   const complaints = [];
   page.on("console", (message) => {
-    if (message.type() === "error" || message.type() === "warning") complaints.push(`${message.type()}: ${message.text()}`);
+    if (message.type() === "error" || message.type() === "warning")
+      complaints.push(`${message.type()}: ${message.text()}`);
   });
   page.on("pageerror", (error) => complaints.push(`uncaught: ${error.stack ?? error.message}`));
   page.on("requestfailed", (request) => complaints.push(`failed: ${request.url()} ${request.failure()?.errorText}`));
   await prepare?.(page);
   await page.goto(pageUrl(path));
   if (waitReady) {
-    await page.evaluate(() => document.querySelector("dimline-editor").ready);
+    await ready(page);
     await settle(page);
   }
   return { page, complaints, close: () => context.close() };
@@ -68,7 +92,22 @@ export function call(page, method, ...args) {
   return page.evaluate(([name, list]) => document.querySelector("dimline-editor")[name](...list), [method, args]);
 }
 
-export const settle = (page) => call(page, "settled");
+/** Awaits a promise of the element's, and fails when it takes longer than anything may. */
+function awaited(page, name) {
+  return page.evaluate(
+    ([member, limitMs]) => {
+      const editor = document.querySelector("dimline-editor");
+      const promise = member === "ready" ? editor.ready : editor[member]();
+      const late = new Promise((_, reject) => {
+        setTimeout(() => reject(new Error(`${member} took longer than ${limitMs / 1000} s`)), limitMs);
+      });
+      return Promise.race([promise, late]);
+    },
+    [name, kPatienceMs],
+  );
+}
+export const settle = (page) => awaited(page, "settled");
+export const ready = (page) => awaited(page, "ready");
 export const layoutOf = (page) => call(page, "layout");
 export const cameraOf = (page) => call(page, "getCamera");
 

@@ -13,13 +13,21 @@ export function decodePng(file) {
     const length = file.readUInt32BE(at);
     const type = file.toString("latin1", at + 4, at + 8);
     const data = file.subarray(at + 8, at + 8 + length);
-    if (type === "IHDR") header = { width: data.readUInt32BE(0), height: data.readUInt32BE(4), depth: data[8], colour: data[9], interlace: data[12] };
+    if (type === "IHDR")
+      header = {
+        width: data.readUInt32BE(0),
+        height: data.readUInt32BE(4),
+        depth: data[8],
+        colour: data[9],
+        interlace: data[12],
+      };
     if (type === "IDAT") parts.push(data);
     at += 12 + length;
   }
   const { width, height, depth, colour, interlace } = header;
   const channels = { 2: 3, 6: 4 }[colour];
-  if (depth !== 8 || !channels || interlace) throw new Error(`a PNG of depth ${depth}, colour type ${colour} is not read here`);
+  if (depth !== 8 || !channels || interlace)
+    throw new Error(`a PNG of depth ${depth}, colour type ${colour} is not read here`);
   const raw = inflateSync(Buffer.concat(parts));
   const stride = width * channels;
   const pixels = new Uint8Array(stride * height);
