@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "app/editor_state.h"
 #include "app/stopwatch.h"
@@ -76,13 +77,17 @@ void Editor::State::measureAndPlace(const View& view) {
 void Editor::State::placeOn(const View& view, bool moving) {
   const Stopwatch watch;
   const bool fits = scopesSeen.seenShare.size() == scene.scopes.size();
-  if (!moving || !fits || !placedOnce || restedLastFrame || nowMs - visibilityMeasuredMs >= kVisibilityIntervalMs) {
+  if (!moving || !fits || recall || !placedOnce || restedLastFrame || nowMs - visibilityMeasuredMs >= kVisibilityIntervalMs) {
     visibility.measure(scene, view, scopesSeen);
     visibilityMeasuredMs = nowMs;
     visibilityStale = !fieldSource.current();
     timings.visibilityMs = watch.ms();
   }
   const Stopwatch placeWatch;
+  if (recall) {
+    placer.recall(*recall);
+    if (fieldSource.current()) recall.reset();   // fields that are still on their way will place the lines once more
+  }
   const auto held = drag ? drag->lineOn(scene, values, view) : std::nullopt;
   const bool inChain = held && held->chain >= 0;
   placer.place(view, fieldSource.fields(), values, placed, &scopesSeen, held && !inChain ? &*held : nullptr);
@@ -133,6 +138,7 @@ bool Editor::State::hoverAnimating() const { return (hovered || hoveredBefore) &
 /// No lines, and none remembered: the next ones appear without animation.
 void Editor::State::clearLines() {
   animator.reset();
+  recall.reset();
   placed = {};
   drawn = {};
   lineStates.clear();

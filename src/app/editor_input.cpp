@@ -77,6 +77,7 @@ void Editor::cancelGesture() {
   if (s.drag) {
     const Values before = s.drag->startValues();
     s.drag.reset();
+    s.recall = s.beforeDrag;
     s.viewStale = true;
     s.assign(before);
   }
@@ -155,6 +156,7 @@ bool Editor::State::beginHandleDrag(const PointerInput& input) {
   drag = HandleDrag::begin(model, values, scene, *line, handle, handle.screen + grabOffset, view);
   if (!drag) return false;
   dragPointer = input.id;
+  beforeDrag = placer.memory();
   hoverAt.reset();
   updateHover();
   viewStale = true;

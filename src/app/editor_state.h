@@ -63,6 +63,8 @@ struct Editor::State {
   // --- Gestures ---
   std::optional<HandleDrag> drag;
   int dragPointer = 0;
+  Placer::Memory beforeDrag;            ///< so that cancelling also puts every line back where it was
+  std::optional<Placer::Memory> recall; ///< to be put back before lines are placed again
   std::optional<CameraGesture> cameraGesture;
   std::optional<PointerInput> hoverAt;
   std::optional<HandleKey> hovered, hoveredBefore;

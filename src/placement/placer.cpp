@@ -137,6 +137,25 @@ void Placer::forget() {
   for (std::size_t i = 0; i < histories.size(); ++i) histories[i] = History(static_cast<std::int32_t>(i));
 }
 
+struct Placer::Memory::Content {
+  std::vector<History> histories;
+  std::vector<char> seen;
+  Mat4 lastViewProjection;
+};
+
+Placer::Memory Placer::memory() const {
+  Memory memory;
+  memory.content_ = std::make_shared<const Memory::Content>(Memory::Content{state_->histories, state_->seen, state_->lastViewProjection});
+  return memory;
+}
+
+void Placer::recall(const Memory& memory) {
+  if (memory.content_ == nullptr || memory.content_->histories.size() != state_->histories.size()) return;
+  state_->histories = memory.content_->histories;
+  state_->seen = memory.content_->seen;
+  state_->lastViewProjection = memory.content_->lastViewProjection;
+}
+
 void Placer::setScene(const Model& model, const Scene& scene) {
   State& s = *state_;
   const auto sameName = [](const Parameter& a, const Parameter& b) { return a.name == b.name; };

@@ -26,6 +26,17 @@ class Placer {
   /// Forgets the last frame, as for another model.
   void forget();
 
+  /// What the placer remembers of the frames before, to be put back when all that was done since is taken back, as by a drag that is cancelled. Only for the
+  /// same model and, when recalled, the same scene as then.
+  class Memory {
+   private:
+    friend class Placer;
+    struct Content;
+    std::shared_ptr<const Content> content_;
+  };
+  [[nodiscard]] Memory memory() const;
+  void recall(const Memory& memory);
+
   /// One frame. `fields` are the model's own, of the same viewport as `view`; `visibility` says how much of each of the scene's scopes is seen, from
   /// this frame or a recent one (null: nothing is hidden by the model). `values` are what the labels say. `held`: a line that is being dragged and
   /// no member of a chain; at its parameter's turn it is taken as it is, and later lines keep clear of it as of any other.

@@ -6,7 +6,7 @@
 using namespace dimline;
 using namespace dimline::test;
 
-TEST_CASE("every line of the house can be dragged: there, to the limits, and back") {
+TEST_CASE("every line of the house can be dragged: there, to the limits, back, and cancelled") {
   EditorStage stage(defineHouse());
   std::vector<std::string> names;
   for (const PlacedLine& line : stage.editor.layout().lines) {
@@ -30,10 +30,20 @@ TEST_CASE("every line of the house can be dragged: there, to the limits, and bac
     REQUIRE(values.back() == stage.editor.model().parameters()[stage.indexOf(name)].max);
     stage.move(at);
     REQUIRE(stage.value(name) == before);
-    stage.move(at + along * 300.0);
+    stage.up(at);
+    stage.settle();
+
+    const Layout placed = stage.editor.layout();
+    const PlacedLine again = *stage.line(name);
+    stage.down(again.handles.front().screen);
+    for (const double travel : {-300.0, 300.0, 30.0}) {
+      stage.move(again.handles.front().screen + along * travel);
+      stage.frame();
+    }
     stage.editor.cancelGesture();
     REQUIRE(stage.value(name) == before);
     stage.settle();
+    REQUIRE(sameLayout(placed, stage.editor.layout()));
   }
   REQUIRE_FALSE(stage.editor.canUndo());
 }
