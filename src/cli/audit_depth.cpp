@@ -5,27 +5,27 @@
 #include <limits>
 
 // Over a plane, one over the depth (in a perspective view) or the depth itself (in an orthographic one) is linear on
-// screen. So a triangle is a linear function of the sample, and rows between its left and right border are walked with
+// screen. So a triangle is a linear function of the pixel, and rows between its left and right border are walked with
 // two additions.
 
 namespace dimline {
 
 namespace {
 
-constexpr double kSamplesPerPixel = 0.5;
+constexpr float kNothing = -std::numeric_limits<float>::infinity();
 constexpr int kPointsOnSegment = 33;
 
 }  // namespace
 
 double DepthPicture::nearness(double depthM) const { return view_.orthographic() ? -depthM : 1.0 / depthM; }
 
-/// Calls use(index, nearness) for every sample whose centre a triangle covers.
+/// Calls use(index, nearness) for every pixel whose centre a triangle covers.
 template <typename Use>
 void DepthPicture::walk(const std::array<Vec3, 3>& triangle, Use use) const {
   std::array<Corner, 4> corners{};
   std::size_t count = 0;
   const auto add = [&](const Vec3& p) {
-    const Vec2 screen = view_.toScreen(p) * kSamplesPerPixel;
+    const Vec2 screen = view_.toScreen(p);
     corners[count++] = {screen.x, screen.y, nearness(view_.depth(p))};
   };
   for (std::size_t i = 0; i < 3; ++i) {
@@ -78,10 +78,9 @@ void DepthPicture::walk(const std::array<Vec3, 3>& triangle, Use use) const {
 
 void DepthPicture::draw(const Scene& scene, const View& view) {
   view_ = view;
-  width_ = std::max(1, static_cast<int>(std::lround(view.widthPx() * kSamplesPerPixel)));
-  height_ = std::max(1, static_cast<int>(std::lround(view.heightPx() * kSamplesPerPixel)));
-  nearest_.assign(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_),
-                  -std::numeric_limits<double>::infinity());
+  width_ = std::max(1, static_cast<int>(std::ceil(view.widthPx())));
+  height_ = std::max(1, static_cast<int>(std::ceil(view.heightPx())));
+  nearest_.assign(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_), kNothing);
   std::vector<Vec3> world;
   for (const Instance& instance : scene.instances) {
     const Mesh& mesh = scene.meshes[instance.mesh];
@@ -90,9 +89,18 @@ void DepthPicture::draw(const Scene& scene, const View& view) {
     for (const glm::vec3& p : mesh.positions) world.emplace_back(toWorld * Vec4(Vec3(p), 1.0));
     for (const auto& t : mesh.triangles) {
       walk({world[t[0]], world[t[1]], world[t[2]]},
-           [&](std::size_t i, double value) { nearest_[i] = std::max(nearest_[i], value); });
+           [&](std::size_t i, double value) { nearest_[i] = std::max(nearest_[i], static_cast<float>(value)); });
     }
   }
+}
+
+CoverageMask DepthPicture::mask() const {
+  CoverageMask mask;
+  mask.widthPx = width_;
+  mask.heightPx = height_;
+  mask.pixels.reserve(nearest_.size());
+  for (const float nearest : nearest_) mask.pixels.push_back(nearest > kNothing ? 255 : 0);
+  return mask;
 }
 
 DepthPicture::Seen DepthPicture::test(const Obb& box, double skinM) const {
@@ -108,8 +116,8 @@ DepthPicture::Seen DepthPicture::test(const Obb& box, double skinM) const {
     for (Vec3& corner : p) corner -= view_.directionTo(corner) * skinM;
     for (const auto& triangle : {std::array<Vec3, 3>{p[0], p[1], p[2]}, {p[0], p[2], p[3]}}) {
       walk(triangle, [&](std::size_t i, double value) {
-        ++total.samples;
-        if (value >= nearest_[i]) ++total.seen;
+        ++total.pixels;
+        if (static_cast<float>(value) >= nearest_[i]) ++total.seen;
       });
     }
   }
@@ -122,11 +130,11 @@ double DepthPicture::seenShare(const Segment& segment, double skinM) const {
     const Vec3 onLine = segment.start + (segment.end - segment.start) * (i / (kPointsOnSegment - 1.0));
     const Vec3 p = onLine - view_.directionTo(onLine) * skinM;
     if (!view_.inFrontOfNear(p)) continue;
-    const Vec2 screen = view_.toScreen(p) * kSamplesPerPixel;
+    const Vec2 screen = view_.toScreen(p);
     if (screen.x < 0 || screen.y < 0 || screen.x >= width_ || screen.y >= height_) continue;
     const auto index =
         static_cast<std::size_t>(screen.y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(screen.x);
-    if (nearness(view_.depth(p)) >= nearest_[index]) ++seen;
+    if (static_cast<float>(nearness(view_.depth(p))) >= nearest_[index]) ++seen;
   }
   return static_cast<double>(seen) / kPointsOnSegment;
 }

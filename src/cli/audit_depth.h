@@ -5,20 +5,24 @@
 
 #include "math/camera.h"
 #include "model/scene.h"
+#include "silhouette/coverage_mask.h"
 
 namespace dimline {
 
-/// The audit's own way to say whether a feature is in plain view: the model drawn into a depth picture of half the
-/// viewport's resolution, and boxes and points held against it. Shares nothing with what the placer goes by.
+/// The audit's own picture of the model: the depth of what is seen at the middle of each pixel. Says which pixels the
+/// model covers, and whether a box or a point is in plain view. Shares nothing with what the placer goes by.
 class DepthPicture {
 public:
   /// Draws every triangle of the scene, both sides, cut at the near plane.
   void draw(const Scene& scene, const View& view);
 
-  /// Of the samples at which a box's faces that look at the viewer would be seen if they stood alone: how many there
+  /// The pixels that the model covers: as coverageMask() has them, but for single pixels whose centre lies on a border.
+  [[nodiscard]] CoverageMask mask() const;
+
+  /// Of the pixels at which a box's faces that look at the viewer would be seen if they stood alone: how many there
   /// are, and on how many the model is not more than `skinM` nearer.
   struct Seen {
-    int samples = 0;
+    int pixels = 0;
     int seen = 0;
   };
   [[nodiscard]] Seen test(const Obb& box, double skinM) const;
@@ -29,7 +33,7 @@ public:
 
 private:
   struct Corner {
-    double x, y;      ///< samples
+    double x, y;      ///< px
     double nearness;  ///< linear on screen, larger is nearer
   };
   [[nodiscard]] double nearness(double depthM) const;
@@ -38,7 +42,7 @@ private:
 
   View view_;
   int width_ = 0, height_ = 0;
-  std::vector<double> nearest_;  ///< -infinity where there is nothing
+  std::vector<float> nearest_;  ///< -infinity where there is nothing
 };
 
 }  // namespace dimline

@@ -79,7 +79,7 @@ double squaredDistance(const glm::vec2& p, const Segment2& s) {
 
 void MaskPicture::read(CoverageMask mask) {
   mask_ = std::move(mask);
-  flooded_ = false;
+  outsideKnown_ = false;
   findBorder();
   distance_.resize(mask_.pixels.size());
   measureColumns();
@@ -220,41 +220,50 @@ bool MaskPicture::touches(const Box2& box) const {
   return false;
 }
 
-void MaskPicture::flood() {
-  const int width = mask_.widthPx;
-  const int height = mask_.heightPx;
-  outside_.assign(mask_.pixels.size(), 0);
-  pending_.clear();
-  const auto reach = [&](int x, int y) {
-    if (x < 0 || y < 0 || x >= width || y >= height || mask_.covered(x, y) || outside_[at(x, y)] != 0) return;
-    outside_[at(x, y)] = 1;
-    pending_.push_back(static_cast<std::uint32_t>(at(x, y)));
+std::uint32_t MaskPicture::rootOf(std::uint32_t run) {
+  while (runs_[run].parent != run) run = runs_[run].parent = runs_[runs_[run].parent].parent;
+  return run;
+}
+
+void MaskPicture::findOutside() {
+  runs_.assign(1, {0, 0, 0});
+  rowRuns_.clear();
+  const auto join = [&](std::uint32_t a, std::uint32_t b) {
+    a = rootOf(a);
+    b = rootOf(b);
+    runs_[std::max(a, b)].parent = std::min(a, b);
   };
-  for (int x = 0; x < width; ++x) {
-    reach(x, 0);
-    reach(x, height - 1);
+  std::uint32_t above = 1;
+  for (int y = 0; y < mask_.heightPx; ++y) {
+    const auto first = static_cast<std::uint32_t>(runs_.size());
+    rowRuns_.push_back(first);
+    for (int x = 0; x < mask_.widthPx; ++x) {
+      if (mask_.covered(x, y)) continue;
+      const auto number = static_cast<std::uint32_t>(runs_.size());
+      int end = x + 1;
+      while (end < mask_.widthPx && !mask_.covered(end, y)) ++end;
+      runs_.push_back({x, end, number});
+      if (x == 0 || end == mask_.widthPx || y == 0 || y == mask_.heightPx - 1) join(0, number);
+      // Runs of the row above that end before this one begins are of no use to the next ones either.
+      while (above < first && runs_[above].xEnd <= x) ++above;
+      for (std::uint32_t i = above; i < first && runs_[i].x < end; ++i) join(i, number);
+      x = end;
+    }
+    above = first;
   }
-  for (int y = 0; y < height; ++y) {
-    reach(0, y);
-    reach(width - 1, y);
-  }
-  while (!pending_.empty()) {
-    const int x = static_cast<int>(pending_.back() % static_cast<std::uint32_t>(width));
-    const int y = static_cast<int>(pending_.back() / static_cast<std::uint32_t>(width));
-    pending_.pop_back();
-    reach(x - 1, y);
-    reach(x + 1, y);
-    reach(x, y - 1);
-    reach(x, y + 1);
-  }
-  flooded_ = true;
+  rowRuns_.push_back(static_cast<std::uint32_t>(runs_.size()));
+  outsideKnown_ = true;
 }
 
 bool MaskPicture::outside(const Vec2& p) {
   if (!contains(mask_.widthPx, mask_.heightPx, p)) return false;
-  if (!flooded_) flood();
-  return outside_[at(std::min(static_cast<int>(p.x), mask_.widthPx - 1),
-                     std::min(static_cast<int>(p.y), mask_.heightPx - 1))] != 0;
+  if (!outsideKnown_) findOutside();
+  const int x = std::min(static_cast<int>(p.x), mask_.widthPx - 1);
+  const auto y = static_cast<std::size_t>(std::min(static_cast<int>(p.y), mask_.heightPx - 1));
+  for (std::uint32_t i = rowRuns_[y]; i < rowRuns_[y + 1]; ++i) {
+    if (x >= runs_[i].x && x < runs_[i].xEnd) return rootOf(i) == 0;
+  }
+  return false;
 }
 
 bool MaskPicture::seesAnEdge(const Segment2& segment) const {

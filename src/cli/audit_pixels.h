@@ -54,14 +54,21 @@ private:
   void findBorder();
   void measureColumns();
   void measureRow(int y);
-  void flood();
+  void findOutside();
+  std::uint32_t rootOf(std::uint32_t run);
 
   CoverageMask mask_;
-  std::vector<glm::vec2> border_;      ///< centres of covered pixels with an uncovered neighbour beside, above or below
-  std::vector<float> distance_;        ///< px from a pixel's centre to the nearest covered pixel's centre
-  std::vector<std::uint8_t> outside_;  ///< made when first asked for
-  bool flooded_ = false;
-  std::vector<std::uint32_t> pending_;
+  std::vector<glm::vec2> border_;  ///< centres of covered pixels with an uncovered neighbour beside, above or below
+  std::vector<float> distance_;    ///< px from a pixel's centre to the nearest covered pixel's centre
+  /// Uncovered pixels of a row that lie side by side, from x to before xEnd. Runs that hang together, or reach the
+  /// picture's border, point in the end to the same one. Made when first asked for.
+  struct Run {
+    int x, xEnd;
+    std::uint32_t parent;
+  };
+  std::vector<Run> runs_;               ///< the first one stands for all that is outside
+  std::vector<std::uint32_t> rowRuns_;  ///< where in runs_ each row's begin, and the end
+  bool outsideKnown_ = false;
   // One row's lower envelope of parabolas.
   std::vector<int> site_;
   std::vector<double> from_;

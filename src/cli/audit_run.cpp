@@ -8,7 +8,6 @@
 
 #include "cli/audit_measure.h"
 #include "core/text.h"
-#include "silhouette/coverage_mask.h"
 
 // A flight is placed first, frame after frame, as frames know of each other; that is quick. Its frames are then held
 // against their pixels, each for itself and so on all processors. The parts are added up in the order of the frames.
@@ -39,17 +38,6 @@ struct FlightAudit {
   std::size_t every;
 };
 
-/// Whether an annotated parameter has no handle in a layout.
-bool needsDepth(const Model& model, const Layout& layout) {
-  for (std::size_t i = 0; i < model.annotations.size(); ++i) {
-    const auto concerned = [&](const auto& shown) { return shown.parameter == i; };
-    if (model.annotations[i] && std::ranges::none_of(layout.lines, concerned) &&
-        std::ranges::none_of(layout.others, concerned))
-      return true;
-  }
-  return false;
-}
-
 /// The frames from number `first` of the measured ones up to `last`.
 void measureFrames(const FlightAudit& audit, std::size_t first, std::size_t last, Tallies& tallies) {
   MaskPicture mask;
@@ -58,11 +46,10 @@ void measureFrames(const FlightAudit& audit, std::size_t first, std::size_t last
     const std::size_t i = k * audit.every;
     const Layout& layout = audit.flown.layouts[i];
     const Layout& fixed = audit.frozenLayouts[i];
-    mask.read(coverageMask(audit.scene, layout.view));
-    const bool deep = needsDepth(audit.model, layout) || needsDepth(audit.model, fixed);
-    if (deep) depth.draw(audit.scene, layout.view);
+    depth.draw(audit.scene, layout.view);
+    mask.read(depth.mask());
     const FrameName& name = audit.flown.flight.names[i];
-    AuditedFrame frame{&audit.model, &audit.scene, &layout, &mask, deep ? &depth : nullptr};
+    AuditedFrame frame{&audit.model, &audit.scene, &layout, &mask, &depth};
     measureFrame(frame, name, true, tallies.placed);
     frame.layout = &fixed;
     measureFrame(frame, name, false, tallies.frozen);

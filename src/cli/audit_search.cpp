@@ -254,10 +254,15 @@ bool inPicture(const View& view, const Vec3& p) {
   return view.inFrontOfNear(p) && contains(view.viewport(), view.toScreen(p));
 }
 
-/// Whether a scope has a base line about which nobody could say that it is too short, foreshortened or hidden. Handles
-/// that are no lines need none.
+/// Whether a scope has a base line about which nobody could say that it is too short, foreshortened or hidden. Of the
+/// handles that are no lines, an arc must not be seen edge-on.
 bool hasPlainBaseLine(const AuditedFrame& frame, const Annotation& annotation, const Obb& box) {
   const View& view = frame.layout->view;
+  if (annotation.type == HandleType::kAngular) {
+    const int axis = std::max(0, axisOf(annotation.orient).axis);
+    const double facing = glm::dot(box.axes[static_cast<std::size_t>(axis)], view.directionTo(box.center()));
+    return std::abs(facing) > std::sin(kForeshortenedAngleRad + kPlainlyMoreRad);
+  }
   if (!isLine(annotation.type)) return true;
   if (!isLinear(annotation.type)) return radiusOnScreenPx(view, box) > kPlainlyLonger * leastLengthPx(annotation);
   const double skinM = kScopeSkinShare * frame.scene->bounds.diagonal();
@@ -281,7 +286,7 @@ std::optional<std::size_t> scopeInPlainView(const AuditedFrame& frame, std::size
     if (!whole) continue;
     if (!hasPlainBaseLine(frame, annotation, box)) continue;
     const DepthPicture::Seen seen = frame.depth->test(box, skinM);
-    if (seen.samples > 0 && seen.seen >= kPlainlySeenShare * seen.samples) return i;
+    if (seen.pixels > 0 && seen.seen >= kPlainlySeenShare * seen.pixels) return i;
   }
   return std::nullopt;
 }

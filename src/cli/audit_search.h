@@ -19,7 +19,7 @@ struct AuditedFrame {
   const Scene* scene = nullptr;
   const Layout* layout = nullptr;
   MaskPicture* mask = nullptr;
-  const DepthPicture* depth = nullptr;  ///< may be null when every annotated parameter is shown
+  const DepthPicture* depth = nullptr;
 };
 
 /// A scope's base lines of the linear types: four edges along the axis, or the middle. None for other types.

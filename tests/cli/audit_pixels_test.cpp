@@ -115,6 +115,24 @@ TEST_CASE("mask picture: every pixel on a segment's way counts") {
   CHECK_FALSE(picture.touches({{32.6, 22.6}, {40, 40}}));
 }
 
+TEST_CASE("depth picture: its mask is the command line's, but for borders") {
+  const auto model = makeModel(boxWithDoor());
+  const Scene scene = model->definition.build(Values(model->parameters()));
+  for (const double azimuthDeg : {0.0, 33.0, 120.0}) {
+    for (const double distanceM : {7.0, 14.0, 40.0}) {  // from within arm's reach, where triangles are cut, to far away
+      const View view(orbitCamera({0, 2.5, 0}, distanceM, azimuthDeg, 25), 500, 300, scene.bounds);
+      DepthPicture depth;
+      depth.draw(scene, view);
+      const CoverageMask own = depth.mask();
+      const CoverageMask slow = coverageMask(scene, view);
+      REQUIRE(own.pixels.size() == slow.pixels.size());
+      int different = 0;
+      for (std::size_t i = 0; i < own.pixels.size(); ++i) different += own.pixels[i] != slow.pixels[i] ? 1 : 0;
+      CHECK(different <= 3);
+    }
+  }
+}
+
 TEST_CASE("depth picture: what is before and behind") {
   Scene scene;
   addBox(scene, boxAt({-1, 0, -1}, {2, 2, 1}));
@@ -132,13 +150,13 @@ TEST_CASE("depth picture: what is before and behind") {
     depth.draw(scene, view);
     const auto share = [&](const Obb& box, double skinM) {
       const DepthPicture::Seen seen = depth.test(box, skinM);
-      REQUIRE(seen.samples > 100);
-      return static_cast<double>(seen.seen) / seen.samples;
+      REQUIRE(seen.pixels > 100);
+      return static_cast<double>(seen.seen) / seen.pixels;
     };
     CHECK(share(boxAt({-0.5, 0.5, 1}, {1, 1, 1}), 0) == 1);
     CHECK(share(boxAt({-0.5, 0.5, -5}, {1, 1, 1}), 0) == 0);
     CHECK(share(boxAt({-0.5, 0.5, -0.5}, {1, 1, 0.4}), 0.05) == 0);
-    CHECK(share(boxAt({-0.5, 0.5, -0.5}, {1, 1, 0.45}), 0.1) == 1);                    // its face within the skin
+    CHECK(share(boxAt({-0.5, 0.5, -0.5}, {1, 1, 0.45}), 0.1) == 1);  // its face within the skin
     // Looks out behind the block's edge: by 0.6 m of its 0.8 m, and in perspective by 0.11 m.
     CHECK(share(boxAt({0.8, 0.5, -5}, {0.8, 1, 0.1}), 0) == Approx(ortho ? 0.75 : 0.12).margin(0.03));
     CHECK(depth.seenShare({{-3, 1, 0}, {3, 1, 0}}, 0.01) == Approx(ortho ? 0.67 : 1.0).margin(0.05));
