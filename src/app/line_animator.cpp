@@ -54,7 +54,8 @@ void LineAnimator::update(const Layout& placed, std::span<const Scope> scopes, c
 
   const bool same = sameView(placed.view, view);
   drawn.view = view;
-  drawn.others = placed.others;
+  // Handles that are no lines are placed, but not drawn here yet: this is the layout as drawn.
+  drawn.others.clear();
   drawn.hidden = placed.hidden;
   drawn.visibleScopes = placed.visibleScopes;
   resize(drawn.lines, placed.lines.size());
