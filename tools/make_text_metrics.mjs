@@ -169,6 +169,8 @@ ${rows(advances, 16)}
 /// The label font's metrics, in font units.
 namespace dimline::barlow {
 
+// clang-format off
+
 inline constexpr int kUnitsPerEm = ${font.unitsPerEm};
 inline constexpr int kAscender = ${font.ascender};
 inline constexpr int kDescender = ${font.descender};
@@ -185,6 +187,7 @@ ${rows(
   6,
 )}
 }};
+// clang-format on
 
 }  // namespace dimline::barlow
 `;

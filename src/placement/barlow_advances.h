@@ -7,6 +7,8 @@
 /// The label font's metrics, in font units.
 namespace dimline::barlow {
 
+// clang-format off
+
 inline constexpr int kUnitsPerEm = 1000;
 inline constexpr int kAscender = 1000;
 inline constexpr int kDescender = -200;
@@ -42,5 +44,6 @@ inline constexpr std::array<Advance, 8> kOthers{{
     {0x2013, 460}, {0x2014, 676}, {0x2018, 163}, {0x2019, 163}, {0x201C, 301}, {0x201D, 301},
     {0x2026, 815}, {0x2212, 495},
 }};
+// clang-format on
 
 }  // namespace dimline::barlow
