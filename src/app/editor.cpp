@@ -18,12 +18,18 @@ constexpr double kMaxPixelRatio = 8.0;
 /// Unit direction from the target to the eye.
 Vec3 directionOf(StandardView view) {
   switch (view) {
-    case StandardView::kFront: return {0, 0, 1};
-    case StandardView::kBack: return {0, 0, -1};
-    case StandardView::kLeft: return {-1, 0, 0};
-    case StandardView::kRight: return {1, 0, 0};
-    case StandardView::kTop: return {0, 1, 0};
-    case StandardView::kThreeQuarter: break;
+    case StandardView::kFront:
+      return {0, 0, 1};
+    case StandardView::kBack:
+      return {0, 0, -1};
+    case StandardView::kLeft:
+      return {-1, 0, 0};
+    case StandardView::kRight:
+      return {1, 0, 0};
+    case StandardView::kTop:
+      return {0, 1, 0};
+    case StandardView::kThreeQuarter:
+      break;
   }
   const Camera camera = threeQuarterView(Bounds{}, 1, 1);
   return glm::normalize(camera.eye - camera.target);
@@ -34,7 +40,8 @@ Vec3 directionOf(StandardView view) {
 Editor::Editor() : state_(std::make_unique<State>()) {}
 Editor::~Editor() = default;
 
-// --- Document ---------------------------------------------------------------------------------------------------------
+// --- Document
+// ---------------------------------------------------------------------------------------------------------
 
 Status Editor::setModel(Model model) {
   State& s = *state_;
@@ -106,7 +113,8 @@ void Editor::redo() {
 
 bool Editor::canUndo() const {
   const State& s = *state_;
-  return s.history.canUndo() || (s.continuing && *s.continuing != s.values) || (s.drag && s.drag->startValues() != s.values);
+  return s.history.canUndo() || (s.continuing && *s.continuing != s.values) ||
+         (s.drag && s.drag->startValues() != s.values);
 }
 bool Editor::canRedo() const { return state_->history.canRedo(); }
 
@@ -137,7 +145,8 @@ void Editor::State::finishEdits() {
   notify(EditorEvent::kChange);
 }
 
-// --- Viewport and camera ----------------------------------------------------------------------------------------------
+// --- Viewport and camera
+// ----------------------------------------------------------------------------------------------
 
 void Editor::resize(double widthPx, double heightPx, double devicePixelRatio) {
   State& s = *state_;
@@ -211,7 +220,8 @@ void Editor::State::openingCamera() {
   notify(EditorEvent::kCameraChange);
 }
 
-// --- What the last frame left ------------------------------------------------------------------------------------------
+// --- What the last frame left
+// ------------------------------------------------------------------------------------------
 
 const Layout& Editor::layout() const { return state_->drawn; }
 std::span<const Editor::LineState> Editor::lineStates() const { return state_->lineStates; }

@@ -63,7 +63,8 @@ void Editor::State::draw(const View& view) {
     overlay.push_back(drawnLine);
   };
   for (const LineAnimator::FadingLine& fading : animator.fading()) add(fading.line, fading.opacity, {}, 1.0F);
-  for (std::size_t i = 0; i < drawn.lines.size(); ++i) add(drawn.lines[i], lineStates[i].opacity, lineStates[i], handleScales[i]);
+  for (std::size_t i = 0; i < drawn.lines.size(); ++i)
+    add(drawn.lines[i], lineStates[i].opacity, lineStates[i], handleScales[i]);
 
   RenderOptions options;
   options.widthPx = static_cast<int>(std::lround(widthPx * devicePixelRatio));

@@ -13,8 +13,8 @@ namespace {
 constexpr double kHoverMs = 100.0;
 constexpr double kHoverScale = 1.35;
 
-/// ms. While something moves, which scopes are seen is measured this often: it is the dearest part of a frame, and changes slowly. At rest it is always
-/// that of the present view.
+/// ms. While something moves, which scopes are seen is measured this often: it is the dearest part of a frame, and
+/// changes slowly. At rest it is always that of the present view.
 constexpr double kVisibilityIntervalMs = 60.0;
 
 }  // namespace
@@ -41,8 +41,8 @@ bool Editor::atRest() const {
   if (!s.loaded) return true;
   if (s.sceneStale) return false;
   if (!s.hasSize()) return true;
-  return !s.viewStale && !s.visibilityStale && s.fieldSource.current() && !s.fieldSource.pending() && s.animator.atRest() && !s.hoverAnimating() &&
-         !s.wantsBetterPicture() && !(s.renderer && s.pictureStale);
+  return !s.viewStale && !s.visibilityStale && s.fieldSource.current() && !s.fieldSource.pending() &&
+         s.animator.atRest() && !s.hoverAnimating() && !s.wantsBetterPicture() && !(s.renderer && s.pictureStale);
 }
 
 void Editor::State::rebuild() {
@@ -69,7 +69,8 @@ void Editor::State::measureAndPlace(const View& view) {
     placeOn(fieldSource.view(), false);
   } else if (moved && placedOnce && fieldSource.fields().widthPx == static_cast<int>(std::ceil(widthPx)) &&
              fieldSource.fields().heightPx == static_cast<int>(std::ceil(heightPx))) {
-    // The fields are still on their way. Base lines of a rebuilt model must not wait for them, so the last ones serve once more.
+    // The fields are still on their way. Base lines of a rebuilt model must not wait for them, so the last ones serve
+    // once more.
     placeOn(fieldSource.view(), true);
   }
 }
@@ -77,7 +78,8 @@ void Editor::State::measureAndPlace(const View& view) {
 void Editor::State::placeOn(const View& view, bool moving) {
   const Stopwatch watch;
   const bool fits = scopesSeen.seenShare.size() == scene.scopes.size();
-  if (!moving || !fits || recall || !placedOnce || restedLastFrame || nowMs - visibilityMeasuredMs >= kVisibilityIntervalMs) {
+  if (!moving || !fits || recall || !placedOnce || restedLastFrame ||
+      nowMs - visibilityMeasuredMs >= kVisibilityIntervalMs) {
     visibility.measure(scene, view, scopesSeen);
     visibilityMeasuredMs = nowMs;
     visibilityStale = !fieldSource.current();
@@ -86,7 +88,7 @@ void Editor::State::placeOn(const View& view, bool moving) {
   const Stopwatch placeWatch;
   if (recall) {
     placer.recall(*recall);
-    if (fieldSource.current()) recall.reset();   // fields that are still on their way will place the lines once more
+    if (fieldSource.current()) recall.reset();  // fields that are still on their way will place the lines once more
   }
   const auto held = drag ? drag->lineOn(scene, values, view) : std::nullopt;
   const bool inChain = held && held->chain >= 0;
@@ -99,7 +101,9 @@ void Editor::State::placeOn(const View& view, bool moving) {
 
 /// A chain is placed as a whole while one of its members is dragged; only the member itself is where the hand has it.
 void Editor::State::holdMember(const PlacedLine& held) {
-  const auto isHeld = [&](const PlacedLine& line) { return line.parameter == held.parameter && line.scope == held.scope; };
+  const auto isHeld = [&](const PlacedLine& line) {
+    return line.parameter == held.parameter && line.scope == held.scope;
+  };
   const auto found = std::ranges::find_if(placed.lines, isHeld);
   if (found != placed.lines.end()) {
     *found = held;
@@ -112,8 +116,8 @@ void Editor::State::holdMember(const PlacedLine& held) {
 void Editor::State::animate(const View& view) {
   if (!placedOnce) return;
   const bool wasAtRest = animator.atRest();
-  const bool sameView = drawn.view.viewProjection() == view.viewProjection() && drawn.view.widthPx() == view.widthPx() &&
-                        drawn.view.heightPx() == view.heightPx();
+  const bool sameView = drawn.view.viewProjection() == view.viewProjection() &&
+                        drawn.view.widthPx() == view.widthPx() && drawn.view.heightPx() == view.heightPx();
   animator.update(placed, scene.scopes, view, nowMs, drawn);
   updateHover();
 
@@ -125,7 +129,8 @@ void Editor::State::animate(const View& view) {
     const auto isOf = [&](const std::optional<HandleKey>& key) {
       return key && (*key == keyOf(line, true) || *key == keyOf(line, false));
     };
-    const bool dragged = drag && line.parameter == drag->parameter() && (line.chain < 0 || line.identity == drag->startLine().identity);
+    const bool dragged =
+        drag && line.parameter == drag->parameter() && (line.chain < 0 || line.identity == drag->startLine().identity);
     lineStates[i] = {animator.opacities()[i], isOf(hovered), dragged};
     const double grown = dragged ? 1.0 : isOf(hovered) ? hoverShare : isOf(hoveredBefore) ? 1.0 - hoverShare : 0.0;
     handleScales[i] = static_cast<float>(1.0 + (kHoverScale - 1.0) * grown);

@@ -3,8 +3,8 @@
 #include "app/editor_state.h"
 #include "app/ray_cast.h"
 
-// A gesture belongs to the pointer that began it; other pointers do nothing until it ends, but for a second finger, which turns an orbit into a pan and
-// zoom. Every movement is computed from the gesture's start.
+// A gesture belongs to the pointer that began it; other pointers do nothing until it ends, but for a second finger,
+// which turns an orbit into a pan and zoom. Every movement is computed from the gesture's start.
 
 namespace dimline {
 
@@ -13,7 +13,8 @@ namespace {
 /// px. Two fingers nearer than this say nothing about their distance.
 constexpr double kLeastFingerSpanPx = 10.0;
 
-/// Browsers report a pinch on a track pad as a wheel with ctrl and deltas of a few pixels (three.js scales them alike); a wheel's notch is about 100.
+/// Browsers report a pinch on a track pad as a wheel with ctrl and deltas of a few pixels (three.js scales them alike);
+/// a wheel's notch is about 100.
 constexpr double kPinchScale = 10.0;
 constexpr double kMostPinchPx = 30.0;
 constexpr double kMostWheelPx = 400.0;
@@ -23,7 +24,8 @@ bool finite(const Vec2& v) { return std::isfinite(v.x) && std::isfinite(v.y); }
 CameraGesture::Kind kindFor(const PointerInput& input) {
   const bool modified = input.modifiers.ctrl || input.modifiers.meta || input.modifiers.shift;
   if (input.button == PointerButton::kMiddle) return CameraGesture::Kind::kZoom;
-  if (input.button == PointerButton::kSecondary) return modified ? CameraGesture::Kind::kOrbit : CameraGesture::Kind::kPan;
+  if (input.button == PointerButton::kSecondary)
+    return modified ? CameraGesture::Kind::kOrbit : CameraGesture::Kind::kPan;
   return modified ? CameraGesture::Kind::kPan : CameraGesture::Kind::kOrbit;
 }
 
@@ -34,8 +36,9 @@ PointerTarget Editor::pointerDown(const PointerInput& input) {
   if (!finite(input.screen) || !s.loaded || !s.hasSize()) return PointerTarget::kNothing;
   if (s.drag) return PointerTarget::kNothing;
   if (s.cameraGesture) {
-    const bool secondFinger = input.kind == PointerKind::kTouch && s.cameraGesture->pointerKind == PointerKind::kTouch &&
-                              s.cameraGesture->kind != CameraGesture::Kind::kTwoFingers && input.id != s.cameraGesture->first.id;
+    const bool secondFinger =
+        input.kind == PointerKind::kTouch && s.cameraGesture->pointerKind == PointerKind::kTouch &&
+        s.cameraGesture->kind != CameraGesture::Kind::kTwoFingers && input.id != s.cameraGesture->first.id;
     if (!secondFinger) return PointerTarget::kNothing;
     s.addFinger(input);
     return PointerTarget::kCamera;
@@ -109,7 +112,8 @@ void Editor::endHover() {
   state_->updateHover();
 }
 
-// --- Handles ----------------------------------------------------------------------------------------------------------
+// --- Handles
+// ----------------------------------------------------------------------------------------------------------
 
 std::optional<HandleRef> Editor::State::handleAt(const PointerInput& input) const {
   const double radius = input.kind == PointerKind::kTouch ? kGrabRadiusTouchPx : kGrabRadiusMousePx;
@@ -140,8 +144,8 @@ void Editor::State::catchUp() {
 
 /// Takes hold of the handle under the pointer, if there is one.
 bool Editor::State::beginHandleDrag(const PointerInput& input) {
-  // What is hit is what is seen; what is dragged is the same line where it belongs by now. One that still glides is taken where it is going to, so that
-  // nobody edits with a line that has no place.
+  // What is hit is what is seen; what is dragged is the same line where it belongs by now. One that still glides is
+  // taken where it is going to, so that nobody edits with a line that has no place.
   const auto hit = handleAt(input);
   if (!hit) return false;
   const PlacedLine& seen = drawn.lines[hit->line];
@@ -173,7 +177,7 @@ void Editor::State::moveHandle(const Vec2& screen) {
 void Editor::State::endHandleDrag() {
   const Values before = drag->startValues();
   drag.reset();
-  viewStale = true;   // the line is free to find its place again
+  viewStale = true;  // the line is free to find its place again
   if (before == values) return;
   history.record(before);
   notify(EditorEvent::kChange);
@@ -195,7 +199,8 @@ void Editor::State::updateHover() {
   pictureStale = true;
 }
 
-// --- Camera -----------------------------------------------------------------------------------------------------------
+// --- Camera
+// -----------------------------------------------------------------------------------------------------------
 
 void Editor::State::beginCameraGesture(const PointerInput& input) {
   CameraGesture gesture;
@@ -230,8 +235,12 @@ void Editor::State::moveCameraGesture() {
       moveCamera(move.camera);
       break;
     }
-    case CameraGesture::Kind::kPan: moveCamera(pan(gesture.start, travel, heightPx, limits)); break;
-    case CameraGesture::Kind::kZoom: moveCamera(zoom(gesture.start, dragZoomFactor(travel.y), gesture.pivot, limits)); break;
+    case CameraGesture::Kind::kPan:
+      moveCamera(pan(gesture.start, travel, heightPx, limits));
+      break;
+    case CameraGesture::Kind::kZoom:
+      moveCamera(zoom(gesture.start, dragZoomFactor(travel.y), gesture.pivot, limits));
+      break;
     case CameraGesture::Kind::kTwoFingers: {
       const double spanBefore = std::max(glm::length(gesture.second.start - gesture.first.start), kLeastFingerSpanPx);
       const double span = std::max(glm::length(gesture.second.now - gesture.first.now), kLeastFingerSpanPx);
@@ -263,7 +272,8 @@ void Editor::State::dropGestures() {
 /// The point about which a zoom at this pixel turns nearer or farther: on the model's surface where there is any.
 Vec3 Editor::State::pivotUnder(const Vec2& screen) const {
   const View view = currentView();
-  if (const auto hit = castRay(scene, view.rayThrough(screen), view.orthographic() ? -std::numeric_limits<double>::infinity() : view.nearM())) {
+  if (const auto hit = castRay(scene, view.rayThrough(screen),
+                               view.orthographic() ? -std::numeric_limits<double>::infinity() : view.nearM())) {
     return *hit;
   }
   return pointAtTargetDepth(view, screen);

@@ -15,8 +15,8 @@
 #include "render/renderer.h"
 #include "silhouette/scope_visibility.h"
 
-// What an Editor is made of; private to the editor's own files. editor.cpp keeps the document, its viewport and its camera, editor_input.cpp turns
-// pointers into gestures, editor_frame.cpp makes frames, editor_draw.cpp draws them.
+// What an Editor is made of; private to the editor's own files. editor.cpp keeps the document, its viewport and its
+// camera, editor_input.cpp turns pointers into gestures, editor_frame.cpp makes frames, editor_draw.cpp draws them.
 
 namespace dimline {
 
@@ -37,9 +37,9 @@ struct CameraGesture {
     Vec2 now{0.0};
   };
   PointerKind pointerKind = PointerKind::kMouse;
-  Camera restore;       ///< what cancelling restores
-  Camera start;         ///< what the pointers' travel is counted from
-  Vec3 pivot{0.0};      ///< of a zoom
+  Camera restore;   ///< what cancelling restores
+  Camera start;     ///< what the pointers' travel is counted from
+  Vec3 pivot{0.0};  ///< of a zoom
   Pointer first, second;
 };
 
@@ -49,22 +49,22 @@ struct Editor::State {
   Model model;
   Values values;
   Scene scene;
-  bool sceneStale = false;              ///< values changed since `scene` was built
+  bool sceneStale = false;  ///< values changed since `scene` was built
   UndoHistory history;
-  std::optional<Values> continuing;     ///< values before a continuous edit that has not ended
+  std::optional<Values> continuing;  ///< values before a continuous edit that has not ended
   std::vector<EditorEvent> events;
 
   // --- Viewport and camera ---
   double widthPx = 0, heightPx = 0, devicePixelRatio = 1;
   Camera camera;
-  bool cameraUntouched = true;          ///< nobody chose it: it is fitted anew when the viewport gets its size
-  bool viewStale = true;                ///< camera, viewport or scene changed since fields were asked for
+  bool cameraUntouched = true;  ///< nobody chose it: it is fitted anew when the viewport gets its size
+  bool viewStale = true;        ///< camera, viewport or scene changed since fields were asked for
 
   // --- Gestures ---
   std::optional<HandleDrag> drag;
   int dragPointer = 0;
-  Placer::Memory beforeDrag;            ///< so that cancelling also puts every line back where it was
-  std::optional<Placer::Memory> recall; ///< to be put back before lines are placed again
+  Placer::Memory beforeDrag;             ///< so that cancelling also puts every line back where it was
+  std::optional<Placer::Memory> recall;  ///< to be put back before lines are placed again
   std::optional<CameraGesture> cameraGesture;
   std::optional<PointerInput> hoverAt;
   std::optional<HandleKey> hovered, hoveredBefore;
@@ -75,22 +75,22 @@ struct Editor::State {
   FieldSource fieldSource;
   CpuVisibility visibility;
   ScopeVisibility scopesSeen;
-  bool visibilityStale = true;          ///< `scopesSeen` is of an earlier view or scene
+  bool visibilityStale = true;  ///< `scopesSeen` is of an earlier view or scene
   double visibilityMeasuredMs = 0;
   bool restedLastFrame = true;
   Placer placer;
-  Layout placed;                        ///< as the placer gave it, with the dragged line held
+  Layout placed;  ///< as the placer gave it, with the dragged line held
   Layout drawn;
   LineAnimator animator;
   std::vector<LineState> lineStates;
-  std::vector<float> handleScales;      ///< parallel to lineStates
+  std::vector<float> handleScales;  ///< parallel to lineStates
   bool placedOnce = false;
   Timings timings;
 
   // --- Drawing ---
   std::unique_ptr<Renderer> renderer;
   bool rendererSceneStale = true;
-  bool pictureStale = true;             ///< what was drawn last is not what should be seen now
+  bool pictureStale = true;  ///< what was drawn last is not what should be seen now
   RenderQuality drawnQuality = RenderQuality::kFull;
   QualityGovernor quality;
   std::string problem;

@@ -9,8 +9,8 @@ namespace dimline {
 
 namespace {
 
-/// ms. The CPU answers within the frame, the GPU some frames later; so as long as the CPU takes no more than this of a frame's 16 ms, it is the better
-/// one whatever the GPU could do. Only models dearer than that are measured on both.
+/// ms. The CPU answers within the frame, the GPU some frames later; so as long as the CPU takes no more than this of a
+/// frame's 16 ms, it is the better one whatever the GPU could do. Only models dearer than that are measured on both.
 constexpr double kCpuBudgetMs = 3.0;
 
 /// The first measurement of a scene pays for memory, so that the best of a few counts.

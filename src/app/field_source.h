@@ -12,9 +12,10 @@ namespace dimline {
 
 /// The distance fields for an editor's frames, from whichever producer is at hand and does better.
 ///
-/// The CPU answers within the frame. The GPU answers some frames later; until then the newest answer stands, together with the view it is of.
+/// The CPU answers within the frame. The GPU answers some frames later; until then the newest answer stands, together
+/// with the view it is of.
 class FieldSource {
- public:
+public:
   void setFrom(Editor::FieldsFrom from) { from_ = from; }
   [[nodiscard]] Editor::FieldsFrom from() const { return from_; }
   /// The producer that measures at present; never kAuto. The CPU where there is no renderer.
@@ -26,7 +27,8 @@ class FieldSource {
   /// Requests under way are lost with their context.
   void rendererGone();
 
-  /// Call once a frame with the view to measure. True when fields() and view() are new. `stale`: fields() are not of this view and scene.
+  /// Call once a frame with the view to measure. True when fields() and view() are new. `stale`: fields() are not of
+  /// this view and scene.
   bool update(const View& view, bool stale, double devicePixelRatio, Renderer* renderer);
 
   /// Whether an answer of the GPU is still to come.
@@ -38,14 +40,16 @@ class FieldSource {
   /// Main thread's time for the last fields (ms).
   [[nodiscard]] double measuredMs() const { return measuredMs_; }
 
-  /// Measures now, with the given producer, and waits for it. Nothing when it is the GPU's turn and there is no renderer.
-  std::optional<DistanceFields> measure(const View& view, Editor::FieldsFrom from, double devicePixelRatio, Renderer* renderer);
+  /// Measures now, with the given producer, and waits for it. Nothing when it is the GPU's turn and there is no
+  /// renderer.
+  std::optional<DistanceFields> measure(const View& view, Editor::FieldsFrom from, double devicePixelRatio,
+                                        Renderer* renderer);
 
- private:
+private:
   struct Flight {
     std::uint64_t number = 0;
     View view;
-    bool newest = false;    ///< nothing has changed since it was requested
+    bool newest = false;  ///< nothing has changed since it was requested
     double requestMs = 0;
   };
 
@@ -56,7 +60,7 @@ class FieldSource {
   Editor::FieldsFrom from_ = Editor::FieldsFrom::kAuto;
   CpuFields cpu_;
   DistanceFields fields_;
-  DistanceFields arrived_;   ///< what the GPU sends lands here, in case that nobody waits for it any more
+  DistanceFields arrived_;  ///< what the GPU sends lands here, in case that nobody waits for it any more
   View view_;
   bool current_ = false;
   double measuredMs_ = 0;

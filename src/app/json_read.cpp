@@ -38,7 +38,8 @@ Result<double> valueFrom(const Parameter& parameter, const json& value) {
       return Error{parameter.name + " is a choice: it takes one of its names as a text, not " + shown(value) + "."};
     case ParameterType::kFloat:
     case ParameterType::kInt:
-    case ParameterType::kAngle: break;
+    case ParameterType::kAngle:
+      break;
   }
   if (!value.is_number()) return Error{parameter.name + " takes a number, not " + shown(value) + "."};
   const double number = value.get<double>();
@@ -67,7 +68,8 @@ Result<Vec3> readVec3(const json& value, std::string_view field) {
 
 Result<Camera> cameraFrom(const json& value) {
   if (!value.is_object()) {
-    return Error{"A camera is an object such as {\"eye\": [10, 8, 14], \"target\": [0, 3, 0], \"fovDeg\": 35}, not " + shown(value) + "."};
+    return Error{"A camera is an object such as {\"eye\": [10, 8, 14], \"target\": [0, 3, 0], \"fovDeg\": 35}, not " +
+                 shown(value) + "."};
   }
   Camera camera;
   bool hasEye = false;
@@ -108,10 +110,12 @@ Result<double> readValue(const Parameter& parameter, std::string_view text) {
   return valueFrom(parameter, *parsed);
 }
 
-Result<std::vector<std::pair<std::size_t, double>>> readValues(std::span<const Parameter> parameters, std::string_view text) {
+Result<std::vector<std::pair<std::size_t, double>>> readValues(std::span<const Parameter> parameters,
+                                                               std::string_view text) {
   const auto parsed = parse(text, "The list of parameters");
   if (!parsed) return parsed.error();
-  if (!parsed->is_object()) return Error{"Parameters are set by an object such as {\"Width\": 9}, not by " + shown(*parsed) + "."};
+  if (!parsed->is_object())
+    return Error{"Parameters are set by an object such as {\"Width\": 9}, not by " + shown(*parsed) + "."};
   std::vector<std::pair<std::size_t, double>> changes;
   for (const auto& [name, value] : parsed->items()) {
     const auto index = findParameter(parameters, name);
@@ -140,7 +144,8 @@ Result<std::vector<Camera>> readCameras(std::string_view text) {
   std::vector<Camera> cameras;
   for (const json& entry : *parsed) {
     const auto camera = cameraFrom(entry);
-    if (!camera) return Error{"Camera " + std::to_string(cameras.size()) + " (counted from 0): " + camera.error().message};
+    if (!camera)
+      return Error{"Camera " + std::to_string(cameras.size()) + " (counted from 0): " + camera.error().message};
     cameras.push_back(*camera);
   }
   return cameras;

@@ -38,7 +38,9 @@ void writeLine(JsonWriter& json, const Model& model, const Scene& scene, const P
   json.beginObject();
   json.key("parameter").value(parameter.name);
   json.key("scope").value(annotation.scope);
-  json.key("scopeIndex").value(line.scope < scene.scopes.size() ? static_cast<int>(scene.scopes[line.scope].index) : line.identity.scopeIndex);
+  json.key("scopeIndex")
+      .value(line.scope < scene.scopes.size() ? static_cast<int>(scene.scopes[line.scope].index)
+                                              : line.identity.scopeIndex);
   json.key("type").value(name(annotation.type));
   json.key("slip").value(name(annotation.slip));
   json.key("value");
@@ -71,7 +73,9 @@ void writeOther(JsonWriter& json, const Model& model, const Scene& scene, const 
   json.beginObject();
   json.key("parameter").value(parameter.name);
   json.key("scope").value(model.annotations[handle.parameter]->scope);
-  json.key("scopeIndex").value(handle.scope < scene.scopes.size() ? static_cast<int>(scene.scopes[handle.scope].index) : handle.identity.scopeIndex);
+  json.key("scopeIndex")
+      .value(handle.scope < scene.scopes.size() ? static_cast<int>(scene.scopes[handle.scope].index)
+                                                : handle.identity.scopeIndex);
   json.key("type").value(name(handle.type));
   json.key("value");
   writeValue(json, parameter, handle.value);
@@ -118,7 +122,8 @@ void writeParameters(JsonWriter& json, std::span<const Parameter> parameters, co
     writeValue(json, parameter, values.at(i));
     json.key("default");
     writeValue(json, parameter, parameter.defaultValue);
-    for (const auto& [key, number] : {std::pair{"min", parameter.min}, std::pair{"max", parameter.max}, std::pair{"step", parameter.step}}) {
+    for (const auto& [key, number] :
+         {std::pair{"min", parameter.min}, std::pair{"max", parameter.max}, std::pair{"step", parameter.step}}) {
       json.key(key);
       isNumber(parameter.type) ? json.value(number) : json.null();
     }

@@ -14,10 +14,10 @@ namespace dimline {
 ///     json.beginObject().key("name").value("house").key("size").value(Vec2(3, 4)).endObject();
 ///     json.text()   // {"name":"house","size":[3,4]}
 ///
-/// Numbers are written so that the same double is read back, with 15 digits where they do; one that is not finite becomes null, which is all JSON has for it. Text must be
-/// UTF-8; broken bytes become U+FFFD.
+/// Numbers are written so that the same double is read back, with 15 digits where they do; one that is not finite
+/// becomes null, which is all JSON has for it. Text must be UTF-8; broken bytes become U+FFFD.
 class JsonWriter {
- public:
+public:
   JsonWriter& beginObject();
   JsonWriter& endObject();
   JsonWriter& beginArray();
@@ -33,10 +33,10 @@ class JsonWriter {
   JsonWriter& value(std::size_t number) { return value(static_cast<double>(number)); }
   JsonWriter& value(const Vec2& v);
   JsonWriter& value(const Vec3& v);
-  JsonWriter& value(const Mat4& m);          ///< 16 numbers, column by column
-  JsonWriter& value(const Segment& s);       ///< [[3],[3]]
-  JsonWriter& value(const Segment2& s);      ///< [[2],[2]]
-  JsonWriter& value(const Box2& b);          ///< [x0,y0,x1,y1]
+  JsonWriter& value(const Mat4& m);      ///< 16 numbers, column by column
+  JsonWriter& value(const Segment& s);   ///< [[3],[3]]
+  JsonWriter& value(const Segment2& s);  ///< [[2],[2]]
+  JsonWriter& value(const Box2& b);      ///< [x0,y0,x1,y1]
   JsonWriter& null();
   /// Text that is JSON already.
   JsonWriter& raw(std::string_view json);
@@ -44,7 +44,7 @@ class JsonWriter {
   [[nodiscard]] const std::string& text() const { return text_; }
   [[nodiscard]] std::string take() { return std::move(text_); }
 
- private:
+private:
   void separate();
   void quote(std::string_view text);
 

@@ -13,8 +13,8 @@ namespace {
 constexpr double kGlideMs = 180.0;
 constexpr double kFadeMs = 140.0;
 
-/// px. A line that stays the same one but moves against its base line by more than this from one frame to the next glides too. Below, it is the
-/// usual drift of a line that keeps its distance while the camera turns.
+/// px. A line that stays the same one but moves against its base line by more than this from one frame to the next
+/// glides too. Below, it is the usual drift of a line that keeps its distance while the camera turns.
 constexpr double kJumpPx = 24.0;
 
 /// Fast at first: most of the way is done while the eye still turns to it.
@@ -24,13 +24,16 @@ double easeOut(double t) {
 }
 
 bool sameView(const View& a, const View& b) {
-  return a.worldToPixels() == b.worldToPixels() && a.widthPx() == b.widthPx() && a.heightPx() == b.heightPx() && a.nearM() == b.nearM();
+  return a.worldToPixels() == b.worldToPixels() && a.widthPx() == b.widthPx() && a.heightPx() == b.heightPx() &&
+         a.nearM() == b.nearM();
 }
 
 Vec2 offsetPx(const PlacedLine& line) { return line.lineScreen.middle() - line.baseScreen.middle(); }
 
 Segment difference(const Segment& a, const Segment& b) { return {a.start - b.start, a.end - b.end}; }
-Segment moved(const Segment& s, const Segment& by, double share) { return {s.start + by.start * share, s.end + by.end * share}; }
+Segment moved(const Segment& s, const Segment& by, double share) {
+  return {s.start + by.start * share, s.end + by.end * share};
+}
 
 }  // namespace
 
@@ -42,7 +45,8 @@ void LineAnimator::reset() {
   atRest_ = true;
 }
 
-void LineAnimator::update(const Layout& placed, std::span<const Scope> scopes, const View& view, double nowMs, Layout& drawn) {
+void LineAnimator::update(const Layout& placed, std::span<const Scope> scopes, const View& view, double nowMs,
+                          Layout& drawn) {
   const bool animate = !fresh_ && !reducedMotion_;
   if (!animate) {
     tracked_.clear();
@@ -77,10 +81,10 @@ void LineAnimator::update(const Layout& placed, std::span<const Scope> scopes, c
   fade(view, nowMs);
 }
 
-/// The line of the last frame that is this one: the very same choice for the same scope; or else another choice of its parameter, of which a
-/// chain's members only stand for themselves.
+/// The line of the last frame that is this one: the very same choice for the same scope; or else another choice of its
+/// parameter, of which a chain's members only stand for themselves.
 std::optional<std::size_t> LineAnimator::findBefore(const PlacedLine& line, std::uint32_t scopeIndex, std::size_t hint,
-                                                   bool exactly) const {
+                                                    bool exactly) const {
   for (std::size_t n = 0; n < tracked_.size(); ++n) {
     const std::size_t j = (hint + n) % tracked_.size();
     const Tracked& before = tracked_[j];
@@ -93,12 +97,13 @@ std::optional<std::size_t> LineAnimator::findBefore(const PlacedLine& line, std:
 }
 
 /// Finds each placed line among those of the last frame. What is left of those fades.
-void LineAnimator::match(const Layout& placed, std::span<const Scope> scopes, double nowMs, bool animate, Layout& drawn) {
+void LineAnimator::match(const Layout& placed, std::span<const Scope> scopes, double nowMs, bool animate,
+                         Layout& drawn) {
   next_.assign(placed.lines.size(), {});
   changed_.assign(placed.lines.size(), true);
   taken_.assign(tracked_.size(), false);
   for (const bool exactly : {true, false}) {
-    std::size_t hint = 0;   // lines mostly keep their order
+    std::size_t hint = 0;  // lines mostly keep their order
     for (std::size_t i = 0; i < placed.lines.size(); ++i) {
       if (next_[i].identity.parameter >= 0) continue;
       const auto found = findBefore(placed.lines[i], scopes[placed.lines[i].scope].index, hint, exactly);
@@ -131,7 +136,8 @@ void LineAnimator::match(const Layout& placed, std::span<const Scope> scopes, do
 }
 
 /// Draws one line, on its way or at its place. False when `view` cannot show it.
-bool LineAnimator::drawLine(const PlacedLine& placed, const View& view, bool same, double nowMs, Tracked& tracked, PlacedLine& drawn) {
+bool LineAnimator::drawLine(const PlacedLine& placed, const View& view, bool same, double nowMs, Tracked& tracked,
+                            PlacedLine& drawn) {
   const bool justChanged = tracked.gliding && tracked.glideStartMs == nowMs;
   const double rest = tracked.gliding ? 1.0 - easeOut((nowMs - tracked.glideStartMs) / kGlideMs) : 0.0;
   drawn = placed;

@@ -10,10 +10,11 @@ namespace dimline {
 
 /// Carries lines from where they were to where they are placed, so that an eye can follow them (paper 5, "Animation").
 ///
-/// Animated is the difference to the place, in the world: a line that keeps its place sticks to it exactly however fast the camera moves, and one that
-/// got a new place glides there within kGlideMs, whatever happens on the way. Lines come and go by opacity.
+/// Animated is the difference to the place, in the world: a line that keeps its place sticks to it exactly however fast
+/// the camera moves, and one that got a new place glides there within kGlideMs, whatever happens on the way. Lines come
+/// and go by opacity.
 class LineAnimator {
- public:
+public:
   /// A line that is on its way out: no longer part of the layout, drawn for some frames more.
   struct FadingLine {
     PlacedLine line;
@@ -27,8 +28,9 @@ class LineAnimator {
   /// Forgets all lines; those of the next frame are there without animation.
   void reset();
 
-  /// One frame. `placed` is what the placer gave, perhaps for a slightly older view; `drawn` is what this function filled in the last frame, and becomes what
-  /// `view` shows now; `scopes` are the scene's. Where nothing moves and `view` is the placer's, it is an exact copy of `placed`. Time must not run backwards.
+  /// One frame. `placed` is what the placer gave, perhaps for a slightly older view; `drawn` is what this function
+  /// filled in the last frame, and becomes what `view` shows now; `scopes` are the scene's. Where nothing moves and
+  /// `view` is the placer's, it is an exact copy of `placed`. Time must not run backwards.
   void update(const Layout& placed, std::span<const Scope> scopes, const View& view, double nowMs, Layout& drawn);
 
   /// Nothing glides or fades.
@@ -37,16 +39,16 @@ class LineAnimator {
   [[nodiscard]] std::span<const double> opacities() const { return opacities_; }
   [[nodiscard]] std::span<const FadingLine> fading() const { return fading_; }
 
- private:
+private:
   /// What is remembered of a line from one frame to the next.
   struct Tracked {
     Identity identity;
-    std::uint32_t scopeIndex = 0;   ///< among those of its name
+    std::uint32_t scopeIndex = 0;  ///< among those of its name
     // Where it was drawn, and in the same frame placed.
     Segment base, line;
     Vec2 labelCenter{0.0};
     bool hasLabel = false;
-    Vec2 offsetPx{0.0};       ///< from the base line's middle to the line's, as placed
+    Vec2 offsetPx{0.0};  ///< from the base line's middle to the line's, as placed
     // What was left between the two when its glide began.
     Segment baseRest, lineRest;
     Vec2 labelRest{0.0};
@@ -57,23 +59,24 @@ class LineAnimator {
   };
 
   void match(const Layout& placed, std::span<const Scope> scopes, double nowMs, bool animate, Layout& drawn);
-  [[nodiscard]] std::optional<std::size_t> findBefore(const PlacedLine& line, std::uint32_t scopeIndex, std::size_t hint,
-                                                       bool exactly) const;
-  bool drawLine(const PlacedLine& placed, const View& view, bool sameView, double nowMs, Tracked& tracked, PlacedLine& drawn);
+  [[nodiscard]] std::optional<std::size_t> findBefore(const PlacedLine& line, std::uint32_t scopeIndex,
+                                                      std::size_t hint, bool exactly) const;
+  bool drawLine(const PlacedLine& placed, const View& view, bool sameView, double nowMs, Tracked& tracked,
+                PlacedLine& drawn);
   void fade(const View& view, double nowMs);
   void resize(std::vector<PlacedLine>& lines, std::size_t size);
   [[nodiscard]] PlacedLine takeSpare();
 
   bool reducedMotion_ = false;
-  bool fresh_ = true;                ///< the next frame's lines appear at once
+  bool fresh_ = true;  ///< the next frame's lines appear at once
   bool atRest_ = true;
-  std::vector<Tracked> tracked_;     ///< parallel to the lines drawn last
+  std::vector<Tracked> tracked_;  ///< parallel to the lines drawn last
   std::vector<Tracked> next_;
   std::vector<bool> taken_;
-  std::vector<bool> changed_;        ///< parallel to next_: its place is another one than in the last frame
+  std::vector<bool> changed_;  ///< parallel to next_: its place is another one than in the last frame
   std::vector<double> opacities_;
   std::vector<FadingLine> fading_;
-  std::vector<PlacedLine> spares_;   ///< lines that are not needed now, for the memory they hold
+  std::vector<PlacedLine> spares_;  ///< lines that are not needed now, for the memory they hold
 };
 
 }  // namespace dimline

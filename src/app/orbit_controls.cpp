@@ -10,13 +10,16 @@ namespace {
 
 constexpr double kPi = 3.14159265358979323846;
 
-/// rad. How near to the pole an orbit may come. Right above the target a camera has no azimuth; a hundredth of a degree beside it has.
+/// rad. How near to the pole an orbit may come. Right above the target a camera has no azimuth; a hundredth of a degree
+/// beside it has.
 constexpr double kPoleMarginRad = 1e-4;
 
-/// rad. How far below the horizon an orbit may look up from. Enough to see under eaves; much further, and the ground is between eye and model.
+/// rad. How far below the horizon an orbit may look up from. Enough to see under eaves; much further, and the ground is
+/// between eye and model.
 constexpr double kBelowHorizonRad = 0.35;
 
-// Distances as shares of the model's diagonal: near enough for a door handle, far enough to lose nothing, and never so far that nobody finds back.
+// Distances as shares of the model's diagonal: near enough for a door handle, far enough to lose nothing, and never so
+// far that nobody finds back.
 constexpr double kMinDistanceShare = 0.02;
 constexpr double kMaxDistanceShare = 12.0;
 constexpr double kMaxTargetShare = 3.0;
@@ -88,7 +91,8 @@ Camera pan(const Camera& start, const Vec2& travelPx, double heightPx, const Cam
 
 Camera zoom(const Camera& start, double factor, const Vec3& pivot, const CameraLimits& limits) {
   const double size = start.orthoHeightM ? *start.orthoHeightM : glm::length(start.target - start.eye);
-  const double allowed = std::clamp(size * factor, std::min(limits.minDistanceM, size), std::max(limits.maxDistanceM, size));
+  const double allowed =
+      std::clamp(size * factor, std::min(limits.minDistanceM, size), std::max(limits.maxDistanceM, size));
   const double scale = allowed / size;
   if (!(scale > 0) || !std::isfinite(scale)) return start;
   Camera camera = start;

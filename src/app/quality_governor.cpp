@@ -16,11 +16,13 @@ constexpr double kPauseMs = 300.0;
 /// Slow frames, one after the other, after which quality is reduced: a hiccup is no reason.
 constexpr int kSlowFrames = 6;
 
-/// Fast frames after which full quality is tried again, and at most, since each trial that fails doubles it: nobody shall see the quality flap.
+/// Fast frames after which full quality is tried again, and at most, since each trial that fails doubles it: nobody
+/// shall see the quality flap.
 constexpr int kFirstPatience = 120;
 constexpr int kMostPatience = 4000;
 
-/// ms without motion after which the picture is drawn in full. Short enough to seem at once, longer than the pauses of a hand.
+/// ms without motion after which the picture is drawn in full. Short enough to seem at once, longer than the pauses of
+/// a hand.
 constexpr double kSettleMs = 120.0;
 
 }  // namespace

@@ -24,7 +24,8 @@ bool meetsBox(const Bounds& box, const Vec3& origin, const Vec3& direction) {
   return enter <= leave;
 }
 
-/// Distance along the ray, in lengths of `direction`, at which it passes through a triangle, from whichever side; infinite when it does not.
+/// Distance along the ray, in lengths of `direction`, at which it passes through a triangle, from whichever side;
+/// infinite when it does not.
 double distanceTo(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& origin, const Vec3& direction) {
   constexpr double kMisses = std::numeric_limits<double>::infinity();
   const Vec3 edge1 = b - a;
@@ -53,7 +54,7 @@ std::optional<Vec3> castRay(const Scene& scene, const View::Ray& ray, double atL
     const Mesh& mesh = scene.meshes[instance.mesh];
     const Mat4 toMesh = glm::inverse(Mat4(instance.transform));
     const Vec3 origin(toMesh * Vec4(ray.origin, 1.0));
-    const Vec3 direction(toMesh * Vec4(ray.direction, 0.0));   // not of unit length: distances stay those of the world
+    const Vec3 direction(toMesh * Vec4(ray.direction, 0.0));  // not of unit length: distances stay those of the world
     if (!meetsBox(boxes[instance.mesh], origin, direction)) continue;
     for (const auto& corners : mesh.triangles) {
       const double distance = distanceTo(Vec3(mesh.positions[corners[0]]), Vec3(mesh.positions[corners[1]]),

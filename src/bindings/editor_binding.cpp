@@ -14,8 +14,9 @@
 #include "gltf/gltf_reader.h"
 #include "models/models.h"
 
-// The Editor as JavaScript sees it. Text and numbers cross by value, lists as JSON text, files as copies of typed arrays; nothing that JavaScript holds points into
-// this module's memory. A method that can fail gives a sentence, empty when all went well. Nothing throws.
+// The Editor as JavaScript sees it. Text and numbers cross by value, lists as JSON text, files as copies of typed
+// arrays; nothing that JavaScript holds points into this module's memory. A method that can fail gives a sentence,
+// empty when all went well. Nothing throws.
 
 namespace dimline {
 
@@ -50,12 +51,15 @@ Modifiers modifiersFrom(int bits) {
   return {.shift = (bits & 1) != 0, .ctrl = (bits & 2) != 0, .alt = (bits & 4) != 0, .meta = (bits & 8) != 0};
 }
 
-/// Anything but the middle and the secondary button counts as the primary one; any device but a finger or a pen as a mouse.
+/// Anything but the middle and the secondary button counts as the primary one; any device but a finger or a pen as a
+/// mouse.
 PointerInput pointerFrom(int id, const std::string& kind, int button, double x, double y, int modifierBits) {
   PointerInput input;
   input.id = id;
   input.kind = static_cast<PointerKind>(indexOf(kind, kPointerKinds).value_or(0));
-  input.button = button == 1 ? PointerButton::kMiddle : button == 2 ? PointerButton::kSecondary : PointerButton::kPrimary;
+  input.button = button == 1   ? PointerButton::kMiddle
+                 : button == 2 ? PointerButton::kSecondary
+                               : PointerButton::kPrimary;
   input.modifiers = modifiersFrom(modifierBits);
   input.screen = {x, y};
   return input;
@@ -65,7 +69,8 @@ PointerInput pointerFrom(int id, const std::string& kind, int button, double x, 
 std::optional<std::vector<std::byte>> bytesOf(const emscripten::val& array) {
   if (!array.instanceof(emscripten::val::global("Uint8Array"))) return std::nullopt;
   std::vector<std::byte> bytes(array["length"].as<unsigned>());
-  emscripten::val(emscripten::typed_memory_view(bytes.size(), reinterpret_cast<unsigned char*>(bytes.data()))).call<void>("set", array);
+  emscripten::val(emscripten::typed_memory_view(bytes.size(), reinterpret_cast<unsigned char*>(bytes.data())))
+      .call<void>("set", array);
   return bytes;
 }
 
@@ -83,7 +88,7 @@ double roundedPx(double px) { return std::round(px * 100.0) / 100.0; }
 Vec2 roundedPx(const Vec2& px) { return {roundedPx(px.x), roundedPx(px.y)}; }
 
 class EditorBinding {
- public:
+public:
   // --- Document ---
   std::string setModel(const std::string& name) {
     auto model = findBuiltInModel(name);
@@ -176,7 +181,9 @@ class EditorBinding {
   }
   void endHover() { editor_.endHover(); }
   void cancelGesture() { editor_.cancelGesture(); }
-  void wheel(double x, double y, double deltaPx, int modifierBits) { editor_.wheel({x, y}, deltaPx, modifiersFrom(modifierBits)); }
+  void wheel(double x, double y, double deltaPx, int modifierBits) {
+    editor_.wheel({x, y}, deltaPx, modifiersFrom(modifierBits));
+  }
 
   // --- Frames ---
   std::string attachContext(int handle) {
@@ -217,7 +224,8 @@ class EditorBinding {
     const Layout& layout = editor_.layout();
     const auto states = editor_.lineStates();
     for (std::size_t i = 0; i < layout.lines.size(); ++i) writeLabel(json, layout.lines[i], states[i], false);
-    for (const Editor::FadingLine& fading : editor_.fadingLines()) writeLabel(json, fading.line, {fading.opacity}, true);
+    for (const Editor::FadingLine& fading : editor_.fadingLines())
+      writeLabel(json, fading.line, {fading.opacity}, true);
     return json.endArray().take();
   }
 
@@ -247,7 +255,7 @@ class EditorBinding {
     for (const auto& [key, edge] : {std::pair{"left", ViewportEdge::kLeft}, std::pair{"right", ViewportEdge::kRight},
                                     std::pair{"top", ViewportEdge::kTop}, std::pair{"bottom", ViewportEdge::kBottom}}) {
       json.key(key).beginArray();
-      for (const float value : (*fields)[edge].values()) json.value(static_cast<double>(value));   // no silhouette: null
+      for (const float value : (*fields)[edge].values()) json.value(static_cast<double>(value));  // no silhouette: null
       json.endArray();
     }
     return json.endObject().take();
@@ -264,7 +272,7 @@ class EditorBinding {
     return json.endObject().take();
   }
 
- private:
+private:
   /// Several editors can live in one module, each with a context of its own.
   void makeCurrent() const {
     if (context_ != 0) emscripten_webgl_make_context_current(context_);

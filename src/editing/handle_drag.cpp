@@ -11,17 +11,18 @@ namespace dimline {
 
 namespace {
 
-/// px per metre times metres of line: under this the whole line is less than a pixel long on screen and gives no direction.
+/// px per metre times metres of line: under this the whole line is less than a pixel long on screen and gives no
+/// direction.
 constexpr double kLeastLinePx = 1.0;
 
 /// Share of a pixel that nobody sees a handle lag behind the pointer.
 constexpr double kTolerancePx = 0.25;
 
-/// How a point that moves along a line in the world moves on screen, at its start: the unit direction and the speed. A line in the world is a line on
-/// screen, so the direction holds all along; the speed does not, under perspective.
+/// How a point that moves along a line in the world moves on screen, at its start: the unit direction and the speed. A
+/// line in the world is a line on screen, so the direction holds all along; the speed does not, under perspective.
 struct ScreenMotion {
-  Vec3 at;           ///< homogeneous pixels of the start
-  Vec3 along;        ///< their change per metre
+  Vec3 at;     ///< homogeneous pixels of the start
+  Vec3 along;  ///< their change per metre
   Vec2 direction{0.0};
   double pxPerM = 0;
 };
@@ -48,9 +49,11 @@ double expectedSlope(const Parameter& parameter, const PlacedLine& line, double 
 
 }  // namespace
 
-std::optional<HandleDrag> HandleDrag::begin(const Model& model, const Values& values, const Scene& scene, const PlacedLine& line,
-                                            const Handle& handle, const Vec2& pointer, const View& view) {
-  if (line.parameter >= model.annotations.size() || !model.annotations[line.parameter] || line.scope >= scene.scopes.size()) {
+std::optional<HandleDrag> HandleDrag::begin(const Model& model, const Values& values, const Scene& scene,
+                                            const PlacedLine& line, const Handle& handle, const Vec2& pointer,
+                                            const View& view) {
+  if (line.parameter >= model.annotations.size() || !model.annotations[line.parameter] ||
+      line.scope >= scene.scopes.size()) {
     return std::nullopt;
   }
   const double lengthM = line.line.length();
@@ -61,7 +64,8 @@ std::optional<HandleDrag> HandleDrag::begin(const Model& model, const Values& va
 
   const Parameter& parameter = model.parameters()[line.parameter];
   const double value = values.at(line.parameter);
-  ValueSearch search(parameter, value, expectedSlope(parameter, line, value, handle.atEnd), kTolerancePx / motion.pxPerM);
+  ValueSearch search(parameter, value, expectedSlope(parameter, line, value, handle.atEnd),
+                     kTolerancePx / motion.pxPerM);
   HandleDrag drag(model, values, line, handle, pointer - handle.screen, view, std::move(search));
   drag.findMeasured(scene);
   if (drag.baseLine_ < 0) return std::nullopt;
@@ -88,8 +92,8 @@ double HandleDrag::valueAt(const Vec2& pointer, const View& view) {
   return lastValue_;
 }
 
-/// Where on the carrier (m from the dragged end's start) a point of the screen lies, by its position along the carrier's direction on screen. Past the
-/// carrier's vanishing point, endlessly far.
+/// Where on the carrier (m from the dragged end's start) a point of the screen lies, by its position along the
+/// carrier's direction on screen. Past the carrier's vanishing point, endlessly far.
 double HandleDrag::targetM(const Vec2& screen, const View& view) const {
   const ScreenMotion motion = screenMotion(view, endOf(line_.line), direction_);
   if (!(motion.pxPerM > 0) || !std::isfinite(motion.pxPerM)) return 0.0;
@@ -116,7 +120,8 @@ std::size_t HandleDrag::countScopes(const Scene& scene) const {
   return static_cast<std::size_t>(std::ranges::count(scene.scopes, annotation().scope, &Scope::name));
 }
 
-/// An identity may be that of a chain, which has neither a scope nor a base line of its own; the base line's place always tells.
+/// An identity may be that of a chain, which has neither a scope nor a base line of its own; the base line's place
+/// always tells.
 void HandleDrag::findMeasured(const Scene& scene) {
   const Scope& scope = scene.scopes[line_.scope];
   scopeIndex_ = scope.index;

@@ -9,21 +9,24 @@
 
 namespace dimline {
 
-/// One drag of a dimension line's end (paper 5, "Interactive Editing"): where the pointer is -> which value, and where the line is then.
+/// One drag of a dimension line's end (paper 5, "Interactive Editing"): where the pointer is -> which value, and where
+/// the line is then.
 ///
-/// Everything is computed from the start of the drag: the values, the line and the pointer's offset from the handle then, and the pointer now. So the
-/// same pointer gives the same value however it came there, and the handle keeps its distance to the pointer.
+/// Everything is computed from the start of the drag: the values, the line and the pointer's offset from the handle
+/// then, and the pointer now. So the same pointer gives the same value however it came there, and the handle keeps its
+/// distance to the pointer.
 ///
-/// During the drag the line stays on its carrier, the line in the world on which it lay, whatever the model does; only its ends move. The scope it measures
-/// is the same one as long as the model has as many of that name; when their number changes it is the one whose dragged end is nearest to
-/// where the drag began (the paper's rule).
+/// During the drag the line stays on its carrier, the line in the world on which it lay, whatever the model does; only
+/// its ends move. The scope it measures is the same one as long as the model has as many of that name; when their
+/// number changes it is the one whose dragged end is nearest to where the drag began (the paper's rule).
 class HandleDrag {
- public:
-  /// Takes hold of a handle of `line`, as drawn in `view`, with the pointer at `pointer` (px). `model` must outlive the drag. `values` and
-  /// `scene` are the present ones. Nothing when the line points at the viewer, so that no movement on screen says anything about its length, or
-  /// when `scene` is not the one in which it was placed.
-  static std::optional<HandleDrag> begin(const Model& model, const Values& values, const Scene& scene, const PlacedLine& line,
-                                         const Handle& handle, const Vec2& pointer, const View& view);
+public:
+  /// Takes hold of a handle of `line`, as drawn in `view`, with the pointer at `pointer` (px). `model` must outlive the
+  /// drag. `values` and `scene` are the present ones. Nothing when the line points at the viewer, so that no movement
+  /// on screen says anything about its length, or when `scene` is not the one in which it was placed.
+  static std::optional<HandleDrag> begin(const Model& model, const Values& values, const Scene& scene,
+                                         const PlacedLine& line, const Handle& handle, const Vec2& pointer,
+                                         const View& view);
 
   [[nodiscard]] std::size_t parameter() const { return line_.parameter; }
   [[nodiscard]] bool atEnd() const { return atEnd_; }
@@ -32,25 +35,26 @@ class HandleDrag {
   /// The line as it was when the drag began.
   [[nodiscard]] const PlacedLine& startLine() const { return line_; }
 
-  /// The value at which the dragged end is nearest to the pointer, along the line's direction on screen; on a step, in the range.
-  /// A pointer that is not a number gives the last value. The camera must be the one of begin(); the viewport may have changed.
+  /// The value at which the dragged end is nearest to the pointer, along the line's direction on screen; on a step, in
+  /// the range. A pointer that is not a number gives the last value. The camera must be the one of begin(); the
+  /// viewport may have changed.
   double valueAt(const Vec2& pointer, const View& view);
 
-  /// The dragged line on a rebuilt scene, in the world and as `view` shows it. Nothing when the model has no such scope any more or the line
-  /// cannot be projected.
+  /// The dragged line on a rebuilt scene, in the world and as `view` shows it. Nothing when the model has no such scope
+  /// any more or the line cannot be projected.
   [[nodiscard]] std::optional<PlacedLine> lineOn(const Scene& scene, const Values& values, const View& view) const;
 
   /// How often the model was evaluated so far.
   [[nodiscard]] int evaluations() const { return search_.evaluations(); }
 
- private:
+private:
   struct Tracked {
     std::size_t scope;
     Segment base;
   };
 
-  HandleDrag(const Model& model, const Values& values, const PlacedLine& line, const Handle& handle, const Vec2& grabOffset,
-             const View& view, ValueSearch search);
+  HandleDrag(const Model& model, const Values& values, const PlacedLine& line, const Handle& handle,
+             const Vec2& grabOffset, const View& view, ValueSearch search);
   [[nodiscard]] const Annotation& annotation() const { return *model_->annotations[line_.parameter]; }
   void findMeasured(const Scene& scene);
   [[nodiscard]] std::size_t countScopes(const Scene& scene) const;
@@ -61,7 +65,7 @@ class HandleDrag {
 
   const Model* model_;
   Values startValues_;
-  View startView_;               ///< base lines of round scopes turn with the view
+  View startView_;  ///< base lines of round scopes turn with the view
   PlacedLine line_;
   std::optional<LabelAnchor> labelAnchor_;
   bool atEnd_;
@@ -69,8 +73,8 @@ class HandleDrag {
   std::uint32_t scopeIndex_ = 0;
   std::size_t scopeCount_ = 0;
   int baseLine_ = -1;
-  Vec3 direction_;               ///< unit, of the line from start to end
-  Vec2 grabOffset_;              ///< px, from the handle to the pointer
+  Vec3 direction_;   ///< unit, of the line from start to end
+  Vec2 grabOffset_;  ///< px, from the handle to the pointer
   ValueSearch search_;
   double lastValue_;
 };

@@ -6,9 +6,12 @@ namespace {
 
 Vec2 anchorPoint(LabelAnchor::To to, const Segment2& line) {
   switch (to) {
-    case LabelAnchor::To::kStart: return line.start;
-    case LabelAnchor::To::kMiddle: return line.middle();
-    case LabelAnchor::To::kEnd: return line.end;
+    case LabelAnchor::To::kStart:
+      return line.start;
+    case LabelAnchor::To::kMiddle:
+      return line.middle();
+    case LabelAnchor::To::kEnd:
+      return line.end;
   }
   return line.middle();
 }

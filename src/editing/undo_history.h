@@ -9,16 +9,17 @@
 
 namespace dimline {
 
-/// The values a document had, one snapshot a gesture. The present values belong to the caller: recording gives the history what they were before a
-/// change, undo and redo exchange them for a neighbour's.
+/// The values a document had, one snapshot a gesture. The present values belong to the caller: recording gives the
+/// history what they were before a change, undo and redo exchange them for a neighbour's.
 class UndoHistory {
- public:
+public:
   /// At most `limit` steps back are kept (>= 1); the oldest is forgotten first. A snapshot is some hundred bytes.
   explicit UndoHistory(std::size_t limit = 256) : limit_(limit) {}
 
   void clear();
 
-  /// One gesture led from `before` to other values: a step back that undo() will take. What had been undone can be redone no more.
+  /// One gesture led from `before` to other values: a step back that undo() will take. What had been undone can be
+  /// redone no more.
   void record(Values before);
 
   [[nodiscard]] bool canUndo() const { return !past_.empty(); }
@@ -28,10 +29,10 @@ class UndoHistory {
   std::optional<Values> undo(const Values& present);
   std::optional<Values> redo(const Values& present);
 
- private:
+private:
   std::size_t limit_;
-  std::deque<Values> past_;       ///< oldest first
-  std::vector<Values> future_;    ///< farthest first
+  std::deque<Values> past_;     ///< oldest first
+  std::vector<Values> future_;  ///< farthest first
 };
 
 }  // namespace dimline

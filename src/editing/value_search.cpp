@@ -4,22 +4,25 @@
 #include <cmath>
 #include <limits>
 
-// Values are searched as numbers of steps from the least one, so that "neighbouring value" means something for every type. The search keeps the
-// greatest step known to be too small and the least known to be too great, and tries between them: by interpolation, every third time by halving,
-// which bounds the number of tries where the rule has jumps. Until both sides are known it strides out from the one it has. All that it
-// decides on comes from this search; what earlier ones learned only saves calls.
+// Values are searched as numbers of steps from the least one, so that "neighbouring value" means something for every
+// type. The search keeps the greatest step known to be too small and the least known to be too great, and tries between
+// them: by interpolation, every third time by halving, which bounds the number of tries where the rule has jumps. Until
+// both sides are known it strides out from the one it has. All that it decides on comes from this search; what earlier
+// ones learned only saves calls.
 
 namespace dimline {
 
 namespace {
 
-/// Tries in one search. A straight rule takes two or three, halving a thousand steps ten; more than this helps nobody who waits for a frame.
+/// Tries in one search. A straight rule takes two or three, halving a thousand steps ten; more than this helps nobody
+/// who waits for a frame.
 constexpr int kMaxTries = 24;
 
 /// Values whose ends are remembered over searches; then the memory starts anew. About 24 bytes each.
 constexpr std::size_t kMaxKnown = 4096;
 
-/// Share of the range over which the slope is measured: wide enough to average rounding, narrow enough to be about here.
+/// Share of the range over which the slope is measured: wide enough to average rounding, narrow enough to be about
+/// here.
 constexpr double kProbeShare = 0.125;
 
 constexpr double kMostSteps = 1e9;
@@ -62,7 +65,8 @@ double ValueSearch::find(double targetM, const Reach& reach) {
     }
     validStep = step;
     const double missM = sense * (*end - target);
-    if (std::abs(missM) < bestMissM - 0.01 * toleranceM_ || (round == 0 && std::abs(missM) <= bestMissM + 0.01 * toleranceM_)) {
+    if (std::abs(missM) < bestMissM - 0.01 * toleranceM_ ||
+        (round == 0 && std::abs(missM) <= bestMissM + 0.01 * toleranceM_)) {
       best = value;
       bestMissM = std::abs(missM);
     }
@@ -89,7 +93,8 @@ std::optional<double> ValueSearch::nextStep(const Bracket& bracket, int round) c
   }
   const bool up = bracket.tooSmall.has_value();
   const Tried& from = up ? *bracket.tooSmall : *bracket.tooGreat;
-  const double stride = std::max(1.0, std::round(std::abs(from.missM / (slope_ * stepSize_)))) * std::exp2(std::max(0, round - 1));
+  const double stride =
+      std::max(1.0, std::round(std::abs(from.missM / (slope_ * stepSize_)))) * std::exp2(std::max(0, round - 1));
   const double next = std::clamp(up ? std::floor(from.step) + stride : std::ceil(from.step) - stride, 0.0, lastStep_);
   if (up ? next <= from.step : next >= from.step) return std::nullopt;
   return next;

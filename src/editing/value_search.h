@@ -9,20 +9,23 @@
 
 namespace dimline {
 
-/// Where a value puts the dragged end: a coordinate (m) along the dragged line's carrier, 0 where it was when the drag began. Nothing when
-/// the model has no such line at that value. Dear (the model is evaluated), and always the same for the same value.
+/// Where a value puts the dragged end: a coordinate (m) along the dragged line's carrier, 0 where it was when the drag
+/// began. Nothing when the model has no such line at that value. Dear (the model is evaluated), and always the same for
+/// the same value.
 using Reach = std::function<std::optional<double>(double value)>;
 
-/// Finds the value whose line ends nearest to where the pointer is (paper 5): the inverse of a rule that is only known by trying.
+/// Finds the value whose line ends nearest to where the pointer is (paper 5): the inverse of a rule that is only known
+/// by trying.
 ///
-/// The result is a function of the target alone, whatever was asked before: dragging there and back gives the very value of the start. Tried are
-/// values on the parameter's steps, its limits and the value of the start; a parameter without steps gets decimal ones finer than a quarter pixel.
-/// Growth on both sides, steps, rounding and kinks cost tries, not correctness; where several values end equally near, the one
-/// that arithmetic on the length suggests is taken.
+/// The result is a function of the target alone, whatever was asked before: dragging there and back gives the very
+/// value of the start. Tried are values on the parameter's steps, its limits and the value of the start; a parameter
+/// without steps gets decimal ones finer than a quarter pixel. Growth on both sides, steps, rounding and kinks cost
+/// tries, not correctness; where several values end equally near, the one that arithmetic on the length suggests is
+/// taken.
 class ValueSearch {
- public:
-  /// `expectedSlope`: metres that the end is expected to move when the value grows by one, not 0; measured as soon as a search needs it.
-  /// `toleranceM` > 0: what cannot be told apart on screen (a quarter pixel).
+public:
+  /// `expectedSlope`: metres that the end is expected to move when the value grows by one, not 0; measured as soon as a
+  /// search needs it. `toleranceM` > 0: what cannot be told apart on screen (a quarter pixel).
   ValueSearch(const Parameter& parameter, double startValue, double expectedSlope, double toleranceM);
 
   /// The value for an end at `targetM`, any number but NaN.
@@ -31,7 +34,7 @@ class ValueSearch {
   /// How often `reach` was called so far.
   [[nodiscard]] int evaluations() const { return evaluations_; }
 
- private:
+private:
   /// A step's number along the range, and by how much its end misses the target: positive when the value is too great.
   struct Tried {
     double step;
@@ -53,10 +56,10 @@ class ValueSearch {
   double toleranceM_;
   double min_ = 0, max_ = 0;
   double stepSize_ = 0;
-  double lastStep_ = 0;      ///< number of the step at max_
+  double lastStep_ = 0;  ///< number of the step at max_
   bool measured_ = false;
   int evaluations_ = 0;
-  std::vector<std::pair<double, std::optional<double>>> known_;   ///< value and where it ends, sorted by value
+  std::vector<std::pair<double, std::optional<double>>> known_;  ///< value and where it ends, sorted by value
 };
 
 }  // namespace dimline

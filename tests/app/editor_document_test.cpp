@@ -176,7 +176,7 @@ TEST_CASE("an endless viewport and a huge pixel ratio are survived") {
 
 TEST_CASE("as long as nobody touched the camera, a new viewport size gets the view anew") {
   Editor early;
-  REQUIRE(early.setModel(makeModel(boxWithDoor()).value()));   // before the page knows its size
+  REQUIRE(early.setModel(makeModel(boxWithDoor()).value()));  // before the page knows its size
   early.resize(400, 800, 3);
   EditorStage late(boxWithDoor(), 400, 800);
   REQUIRE(early.camera().eye == late.editor.camera().eye);
@@ -201,8 +201,10 @@ TEST_CASE("a camera that is none is refused and the old one stays") {
 
 TEST_CASE("standard views look along the axes, in the projection at hand, with all of the model in the picture") {
   EditorStage stage;
-  const std::pair<StandardView, Vec3> views[] = {{StandardView::kFront, {0, 0, -1}}, {StandardView::kBack, {0, 0, 1}},
-                                                 {StandardView::kLeft, {1, 0, 0}},   {StandardView::kRight, {-1, 0, 0}},
+  const std::pair<StandardView, Vec3> views[] = {{StandardView::kFront, {0, 0, -1}},
+                                                 {StandardView::kBack, {0, 0, 1}},
+                                                 {StandardView::kLeft, {1, 0, 0}},
+                                                 {StandardView::kRight, {-1, 0, 0}},
                                                  {StandardView::kTop, {0, -1, 0}}};
   for (const bool orthographic : {false, true}) {
     stage.editor.setOrthographic(orthographic);
@@ -243,7 +245,7 @@ TEST_CASE("fields are measured on demand, by the producer that there is") {
   REQUIRE(fields);
   REQUIRE(fields->widthPx == 1000);
   REQUIRE((*fields)[ViewportEdge::kLeft].min(0, 999) > 0);
-  REQUIRE_FALSE(stage.editor.measureFields(Editor::FieldsFrom::kGpu));   // nothing is attached
+  REQUIRE_FALSE(stage.editor.measureFields(Editor::FieldsFrom::kGpu));  // nothing is attached
   stage.editor.setFieldsFrom(Editor::FieldsFrom::kGpu);
   REQUIRE(stage.editor.fieldsFrom() == Editor::FieldsFrom::kGpu);
   REQUIRE(stage.editor.fieldsMeasuredBy() == Editor::FieldsFrom::kCpu);

@@ -53,10 +53,10 @@ TEST_CASE("a steady orbit comes to rest soon after it ends") {
     const Layout& layout = stage.editor.layout();
     REQUIRE(stage.editor.lineStates().size() == layout.lines.size());
     for (const PlacedLine& line : layout.lines) {
-      REQUIRE(glm::length(layout.view.toScreen(line.line.end) - line.lineScreen.end) < 1e-6);   // mid-animation too
+      REQUIRE(glm::length(layout.view.toScreen(line.line.end) - line.lineScreen.end) < 1e-6);  // mid-animation too
     }
   }
-  REQUIRE(stage.settle() <= 14);   // 180 ms and a frame
+  REQUIRE(stage.settle() <= 14);  // 180 ms and a frame
   REQUIRE(stage.editor.fadingLines().empty());
 }
 

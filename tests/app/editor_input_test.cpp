@@ -21,7 +21,8 @@ struct FrontStage : EditorStage {
 
 }  // namespace
 
-TEST_CASE("dragging the end of the width by 30 px of 50 a metre makes the house 1.2 m wider, since it grows on both sides") {
+TEST_CASE(
+    "dragging the end of the width by 30 px of 50 a metre makes the house 1.2 m wider, since it grows on both sides") {
   FrontStage stage;
   const Vec2 grabbed = stage.handle("Width") + Vec2(-4, 2);
   REQUIRE(stage.down(grabbed) == PointerTarget::kHandle);
@@ -29,7 +30,7 @@ TEST_CASE("dragging the end of the width by 30 px of 50 a metre makes the house 
   REQUIRE(stage.value("Width") == 9.2);
   stage.frame();
   REQUIRE(stage.editor.scene().scopes[0].box.size.x == 9.2);
-  REQUIRE(glm::length(stage.handle("Width") + Vec2(-4, 2) - grabbed - Vec2(30, 0)) < 1e-6);   // still under the pointer
+  REQUIRE(glm::length(stage.handle("Width") + Vec2(-4, 2) - grabbed - Vec2(30, 0)) < 1e-6);  // still under the pointer
   REQUIRE(stage.editor.takeEvents() == Events{EditorEvent::kInput});
   stage.up(grabbed + Vec2(30, 0));
   REQUIRE(stage.editor.takeEvents() == Events{EditorEvent::kChange});
@@ -59,7 +60,7 @@ TEST_CASE("taking hold of a handle moves nothing") {
 
 TEST_CASE("there and back is the very value of the start, and no undo step") {
   FrontStage stage;
-  stage.set("Width", 8.03);   // off its steps
+  stage.set("Width", 8.03);  // off its steps
   stage.editor.setStandardView(StandardView::kThreeQuarter);
   stage.settle();
   const Vec2 at = stage.handle("Width");
@@ -181,7 +182,8 @@ TEST_CASE("a handle under a resting pointer is marked, and grows a little later"
   REQUIRE_FALSE(stage.editor.atRest());
   stage.settle();
   for (std::size_t i = 0; i < stage.editor.layout().lines.size(); ++i) {
-    REQUIRE(stage.editor.lineStates()[i].hovered == (stage.editor.layout().lines[i].parameter == stage.indexOf("Width")));
+    REQUIRE(stage.editor.lineStates()[i].hovered ==
+            (stage.editor.layout().lines[i].parameter == stage.indexOf("Width")));
   }
   REQUIRE(stage.editor.hover({.screen = {500, 500}}) == PointerTarget::kNothing);
   stage.settle();
@@ -217,19 +219,21 @@ TEST_CASE("at the pole an orbit turns back as soon as the pointer does") {
   REQUIRE(stage.editor.setCamera(orbitCamera({0, 2, 0}, 25, 30, 20)));
   stage.settle();
   stage.down({500, 100});
-  stage.move({500, 900});   // far beyond the pole
+  stage.move({500, 900});  // far beyond the pole
   const double atPole = stage.editor.camera().eye.y;
   REQUIRE(atPole == Approx(27).margin(1e-3));
-  stage.move({500, 800});   // 36 degrees back
+  stage.move({500, 800});  // 36 degrees back
   const Vec3 d = stage.editor.camera().eye - stage.editor.camera().target;
   REQUIRE(std::asin(d.y / 25) * 180 / 3.14159265358979 == Approx(54).margin(0.05));
 }
 
 TEST_CASE("the secondary button, and the primary one with a modifier, pan") {
-  for (const auto& [button, modifiers] : {std::pair{PointerButton::kSecondary, Modifiers{}}, {PointerButton::kPrimary, Modifiers{.shift = true}},
-                                          {PointerButton::kPrimary, Modifiers{.ctrl = true}}, {PointerButton::kPrimary, Modifiers{.meta = true}}}) {
+  for (const auto& [button, modifiers] : {std::pair{PointerButton::kSecondary, Modifiers{}},
+                                          {PointerButton::kPrimary, Modifiers{.shift = true}},
+                                          {PointerButton::kPrimary, Modifiers{.ctrl = true}},
+                                          {PointerButton::kPrimary, Modifiers{.meta = true}}}) {
     FrontStage stage;
-    stage.drag({500, 480}, {600, 430}, button, modifiers);   // 2 m to the right, 1 m up: the camera goes the other way
+    stage.drag({500, 480}, {600, 430}, button, modifiers);  // 2 m to the right, 1 m up: the camera goes the other way
     REQUIRE(glm::length(stage.editor.camera().target - Vec3(-2, 1.5, 0)) < 1e-9);
     REQUIRE(glm::length(stage.editor.camera().eye - Vec3(-2, 1.5, 40)) < 1e-9);
   }
@@ -246,13 +250,13 @@ TEST_CASE("the wheel zooms towards the surface under the pointer") {
   REQUIRE(stage.editor.setCamera(orbitCamera({0, 2, 0}, 25, 30, 20)));
   stage.settle();
   const View before = stage.editor.layout().view;
-  const Vec3 corner{4, 5, 3};   // of the box's front, upper right
+  const Vec3 corner{4, 5, 3};  // of the box's front, upper right
   const Vec2 pointer = before.toScreen(corner - Vec3(0.2, 0.2, 0));
   stage.editor.wheel(pointer, -500, {});
   stage.editor.wheel(pointer, -500, {});
   stage.settle();
   const View after = stage.editor.layout().view;
-  REQUIRE(glm::length(after.toScreen(corner - Vec3(0.2, 0.2, 0)) - pointer) < 1e-3);   // the box's vertices are floats
+  REQUIRE(glm::length(after.toScreen(corner - Vec3(0.2, 0.2, 0)) - pointer) < 1e-3);  // the box's vertices are floats
   REQUIRE(glm::length(after.camera().eye - corner) < 0.8 * glm::length(before.camera().eye - corner));
 }
 
@@ -305,8 +309,10 @@ TEST_CASE("a second finger does not disturb a drag") {
   FrontStage stage;
   const Vec2 at = stage.handle("Width");
   REQUIRE(stage.editor.pointerDown({.id = 1, .kind = PointerKind::kTouch, .screen = at}) == PointerTarget::kHandle);
-  REQUIRE(stage.editor.pointerDown({.id = 2, .kind = PointerKind::kTouch, .screen = {500, 500}}) == PointerTarget::kNothing);
-  REQUIRE(stage.editor.pointerMove({.id = 2, .kind = PointerKind::kTouch, .screen = {600, 500}}) == PointerTarget::kNothing);
+  REQUIRE(stage.editor.pointerDown({.id = 2, .kind = PointerKind::kTouch, .screen = {500, 500}}) ==
+          PointerTarget::kNothing);
+  REQUIRE(stage.editor.pointerMove({.id = 2, .kind = PointerKind::kTouch, .screen = {600, 500}}) ==
+          PointerTarget::kNothing);
   REQUIRE(stage.editor.camera().eye == orthoFront().eye);
   stage.editor.pointerMove({.id = 1, .kind = PointerKind::kTouch, .screen = at + Vec2(25, 0)});
   REQUIRE(stage.value("Width") == 9);
@@ -315,7 +321,9 @@ TEST_CASE("a second finger does not disturb a drag") {
 TEST_CASE("random input of all sorts breaks nothing") {
   EditorStage stage;
   Random random(9);
-  const auto point = [&] { return random.chance(0.02) ? Vec2(std::numeric_limits<double>::infinity()) : random.point(Vec2(-200), Vec2(1200)); };
+  const auto point = [&] {
+    return random.chance(0.02) ? Vec2(std::numeric_limits<double>::infinity()) : random.point(Vec2(-200), Vec2(1200));
+  };
   for (int i = 0; i < 3000; ++i) {
     PointerInput input{.id = random.whole(1, 3),
                        .kind = static_cast<PointerKind>(random.whole(0, 2)),
@@ -324,21 +332,40 @@ TEST_CASE("random input of all sorts breaks nothing") {
                        .screen = point()};
     if (random.chance(0.3) && !stage.editor.layout().lines.empty()) {
       const auto& lines = stage.editor.layout().lines;
-      input.screen = lines[static_cast<std::size_t>(random.whole(0, static_cast<int>(lines.size()) - 1))].handles[0].screen;
+      input.screen =
+          lines[static_cast<std::size_t>(random.whole(0, static_cast<int>(lines.size()) - 1))].handles[0].screen;
     }
     switch (random.whole(0, 11)) {
       case 0:
-      case 1: stage.editor.pointerDown(input); break;
+      case 1:
+        stage.editor.pointerDown(input);
+        break;
       case 2:
       case 3:
-      case 4: stage.editor.pointerMove(input); break;
-      case 5: stage.editor.pointerUp(input); break;
-      case 6: stage.editor.wheel(input.screen, random.real(-300, 300), input.modifiers); break;
-      case 7: stage.editor.hover(input); break;
-      case 8: random.chance(0.5) ? stage.editor.undo() : stage.editor.redo(); break;
-      case 9: stage.editor.setValueContinuous(static_cast<std::size_t>(random.whole(0, 4)), random.real(-5, 30)); break;
-      case 10: random.chance(0.5) ? stage.editor.cancelGesture() : stage.editor.endContinuous(); break;
-      default: stage.editor.setOrthographic(random.chance(0.5)); break;
+      case 4:
+        stage.editor.pointerMove(input);
+        break;
+      case 5:
+        stage.editor.pointerUp(input);
+        break;
+      case 6:
+        stage.editor.wheel(input.screen, random.real(-300, 300), input.modifiers);
+        break;
+      case 7:
+        stage.editor.hover(input);
+        break;
+      case 8:
+        random.chance(0.5) ? stage.editor.undo() : stage.editor.redo();
+        break;
+      case 9:
+        stage.editor.setValueContinuous(static_cast<std::size_t>(random.whole(0, 4)), random.real(-5, 30));
+        break;
+      case 10:
+        random.chance(0.5) ? stage.editor.cancelGesture() : stage.editor.endContinuous();
+        break;
+      default:
+        stage.editor.setOrthographic(random.chance(0.5));
+        break;
     }
     if (random.chance(0.02)) stage.editor.resize(random.real(0, 1500), random.real(0, 1500), random.real(0.5, 4));
     if (random.chance(0.5)) stage.frame();
@@ -356,7 +383,7 @@ TEST_CASE("random input of all sorts breaks nothing") {
 
 TEST_CASE("a handle can be taken hold of in the very moment in which a script changed something else") {
   FrontStage stage;
-  stage.set("Height", 4);   // no frame since then
+  stage.set("Height", 4);  // no frame since then
   const Vec2 at = stage.handle("Width");
   REQUIRE(stage.down(at) == PointerTarget::kHandle);
   stage.move(at + Vec2(25, 0));

@@ -28,7 +28,9 @@ struct EditorStage {
   }
   void frame() { editor.frame(nowMs += 16); }
 
-  [[nodiscard]] std::size_t indexOf(std::string_view name) const { return findParameter(editor.model().parameters(), name).value(); }
+  [[nodiscard]] std::size_t indexOf(std::string_view name) const {
+    return findParameter(editor.model().parameters(), name).value();
+  }
   [[nodiscard]] double value(std::string_view name) const { return editor.values().at(indexOf(name)); }
   void set(std::string_view name, double value) {
     const std::pair<std::size_t, double> change{indexOf(name), value};
@@ -49,7 +51,8 @@ struct EditorStage {
   }
   PointerTarget move(const Vec2& to) { return editor.pointerMove({.screen = to}); }
   void up(const Vec2& at) { editor.pointerUp({.screen = at}); }
-  void drag(const Vec2& from, const Vec2& to, PointerButton button = PointerButton::kPrimary, Modifiers modifiers = {}) {
+  void drag(const Vec2& from, const Vec2& to, PointerButton button = PointerButton::kPrimary,
+            Modifiers modifiers = {}) {
     down(from, button, modifiers);
     move(0.5 * (from + to));
     move(to);
@@ -67,10 +70,11 @@ inline Camera orthoFront() {
 }
 
 inline bool sameLine(const PlacedLine& a, const PlacedLine& b) {
-  return a.identity == b.identity && a.line.start == b.line.start && a.line.end == b.line.end && a.lineScreen.start == b.lineScreen.start &&
-         a.lineScreen.end == b.lineScreen.end && a.text == b.text && a.label.has_value() == b.label.has_value() &&
-         (!a.label || (a.label->min == b.label->min && a.label->max == b.label->max)) && a.extensionStart == b.extensionStart &&
-         a.extensionEnd == b.extensionEnd;
+  return a.identity == b.identity && a.line.start == b.line.start && a.line.end == b.line.end &&
+         a.lineScreen.start == b.lineScreen.start && a.lineScreen.end == b.lineScreen.end && a.text == b.text &&
+         a.label.has_value() == b.label.has_value() &&
+         (!a.label || (a.label->min == b.label->min && a.label->max == b.label->max)) &&
+         a.extensionStart == b.extensionStart && a.extensionEnd == b.extensionEnd;
 }
 
 inline bool sameLayout(const Layout& a, const Layout& b) {

@@ -18,15 +18,28 @@ std::vector<Parameter> someParameters() {
   definition.name = "some";
   definition.build = [](const Values&) { return Scene{}; };
   definition.parameters = {
-      {.name = "Width", .title = "Width", .help = "How wide.", .group = "Size", .unit = Unit::kMetre, .defaultValue = 8, .min = 1, .max = 20, .step = 0.1},
+      {.name = "Width",
+       .title = "Width",
+       .help = "How wide.",
+       .group = "Size",
+       .unit = Unit::kMetre,
+       .defaultValue = 8,
+       .min = 1,
+       .max = 20,
+       .step = 0.1},
       {.name = "Floors", .type = ParameterType::kInt, .defaultValue = 2, .min = 1, .max = 6},
       {.name = "Pitch", .type = ParameterType::kAngle, .unit = Unit::kDegree, .defaultValue = 35, .min = 5, .max = 60},
       {.name = "Balcony", .type = ParameterType::kBool, .defaultValue = 1},
-      {.name = "Roof", .type = ParameterType::kChoice, .choices = {"gable", "hip"}, .annotation = "@Handle(scope=Roof, type=range)"}};
+      {.name = "Roof",
+       .type = ParameterType::kChoice,
+       .choices = {"gable", "hip"},
+       .annotation = "@Handle(scope=Roof, type=range)"}};
   return makeModel(std::move(definition)).value().definition.parameters;
 }
 
-std::string errorOf(const Result<std::vector<std::pair<std::size_t, double>>>& result) { return result ? "" : result.error().message; }
+std::string errorOf(const Result<std::vector<std::pair<std::size_t, double>>>& result) {
+  return result ? "" : result.error().message;
+}
 std::string errorOf(const Result<Camera>& result) { return result ? "" : result.error().message; }
 
 }  // namespace
@@ -104,7 +117,8 @@ TEST_CASE("what cannot be read is said by name") {
   const auto parameters = someParameters();
   REQUIRE(errorOf(readValues(parameters, R"({"Widht": 9})")).find("Widht") != std::string::npos);
   REQUIRE(errorOf(readValues(parameters, R"({"Width": "9"})")).find("Width takes a number") != std::string::npos);
-  REQUIRE(errorOf(readValues(parameters, R"({"Width": 8, "Balcony": 1})")).find("Balcony is a switch") != std::string::npos);
+  REQUIRE(errorOf(readValues(parameters, R"({"Width": 8, "Balcony": 1})")).find("Balcony is a switch") !=
+          std::string::npos);
   REQUIRE(errorOf(readValues(parameters, R"({"Roof": "dome"})")).find("gable or hip") != std::string::npos);
   REQUIRE(errorOf(readValues(parameters, R"({"Roof": 1})")).find("Roof is a choice") != std::string::npos);
   REQUIRE(errorOf(readValues(parameters, R"({"Width": 1e999})")).find("Width") != std::string::npos);
@@ -139,20 +153,27 @@ TEST_CASE("a camera without up and angle gets the page's") {
 }
 
 TEST_CASE("a camera that is none is said to be none, field by field") {
-  REQUIRE(errorOf(readCamera(R"({"eye": [0, 0], "target": [0, 0, 0]})")).find("eye must be a list of three") != std::string::npos);
+  REQUIRE(errorOf(readCamera(R"({"eye": [0, 0], "target": [0, 0, 0]})")).find("eye must be a list of three") !=
+          std::string::npos);
   REQUIRE(errorOf(readCamera(R"({"eye": [0, 0, "1"], "target": [0, 0, 0]})")).find("eye") != std::string::npos);
   REQUIRE(errorOf(readCamera(R"({"target": [0, 0, 0]})")).find("eye is missing") != std::string::npos);
   REQUIRE(errorOf(readCamera(R"({"eye": [0, 0, 1]})")).find("target is missing") != std::string::npos);
   REQUIRE(errorOf(readCamera(R"({"eye": [0, 0, 1], "target": [0, 0, 1]})")).find("same point") != std::string::npos);
-  REQUIRE(errorOf(readCamera(R"({"eye": [0, 0, 1], "target": [0, 0, 0], "fov": 45})")).find("fov") != std::string::npos);
-  REQUIRE(errorOf(readCamera(R"({"eye": [0, 0, 1], "target": [0, 0, 0], "fovDeg": 45, "orthoHeight": 3})")).find("not both") != std::string::npos);
-  REQUIRE(errorOf(readCamera(R"({"eye": [0, 0, 1], "target": [0, 0, 0], "fovDeg": 190})")).find("180") != std::string::npos);
-  REQUIRE(errorOf(readCamera(R"({"eye": [0, 0, 1], "target": [0, 0, 0], "orthoHeight": -1})")).find("orthoHeight") != std::string::npos);
+  REQUIRE(errorOf(readCamera(R"({"eye": [0, 0, 1], "target": [0, 0, 0], "fov": 45})")).find("fov") !=
+          std::string::npos);
+  REQUIRE(errorOf(readCamera(R"({"eye": [0, 0, 1], "target": [0, 0, 0], "fovDeg": 45, "orthoHeight": 3})"))
+              .find("not both") != std::string::npos);
+  REQUIRE(errorOf(readCamera(R"({"eye": [0, 0, 1], "target": [0, 0, 0], "fovDeg": 190})")).find("180") !=
+          std::string::npos);
+  REQUIRE(errorOf(readCamera(R"({"eye": [0, 0, 1], "target": [0, 0, 0], "orthoHeight": -1})")).find("orthoHeight") !=
+          std::string::npos);
   REQUIRE(errorOf(readCamera("7")).find("object") != std::string::npos);
 }
 
 TEST_CASE("a list of cameras says which of them is wrong") {
-  REQUIRE(readCameras(R"([{"eye": [0, 0, 1], "target": [0, 0, 0]}, {"eye": [0, 0, 2], "target": [0, 0, 0]}])")->size() == 2);
+  REQUIRE(
+      readCameras(R"([{"eye": [0, 0, 1], "target": [0, 0, 0]}, {"eye": [0, 0, 2], "target": [0, 0, 0]}])")->size() ==
+      2);
   const auto broken = readCameras(R"([{"eye": [0, 0, 1], "target": [0, 0, 0]}, {"eye": 3}])");
   REQUIRE_FALSE(broken);
   REQUIRE(broken.error().message.find("Camera 1") != std::string::npos);

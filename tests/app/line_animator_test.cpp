@@ -13,7 +13,7 @@ View frontView(double targetX = 0) {
   Camera camera;
   camera.eye = {targetX, 0, 20};
   camera.target = {targetX, 0, 0};
-  camera.orthoHeightM = 10;   // 100 px a metre
+  camera.orthoHeightM = 10;  // 100 px a metre
   return {camera, 1000, 1000, Bounds{Vec3(-5), Vec3(5)}};
 }
 
@@ -50,9 +50,10 @@ struct Stage {
 };
 
 bool same(const PlacedLine& a, const PlacedLine& b) {
-  return a.base.start == b.base.start && a.base.end == b.base.end && a.line.start == b.line.start && a.line.end == b.line.end &&
-         a.lineScreen.start == b.lineScreen.start && a.lineScreen.end == b.lineScreen.end && a.label->min == b.label->min &&
-         a.label->max == b.label->max && a.extensionStart == b.extensionStart && a.handles[0].screen == b.handles[0].screen;
+  return a.base.start == b.base.start && a.base.end == b.base.end && a.line.start == b.line.start &&
+         a.line.end == b.line.end && a.lineScreen.start == b.lineScreen.start && a.lineScreen.end == b.lineScreen.end &&
+         a.label->min == b.label->min && a.label->max == b.label->max && a.extensionStart == b.extensionStart &&
+         a.handles[0].screen == b.handles[0].screen;
 }
 
 }  // namespace
@@ -71,7 +72,7 @@ TEST_CASE("a line whose choice changes glides from the old place to the new one,
   stage.at(0);
   stage.place(view, {placedLine(1, 1, view)});
 
-  REQUIRE(stage.at(16).lines[0].line.start.y == Approx(-1));   // the frame of the change shows where it was
+  REQUIRE(stage.at(16).lines[0].line.start.y == Approx(-1));  // the frame of the change shows where it was
   REQUIRE_FALSE(stage.animator.atRest());
   double before = -1;
   for (const double ms : {50.0, 90.0, 130.0, 170.0}) {
@@ -117,7 +118,7 @@ TEST_CASE("a line placed for an older view is shown where the present view has i
   const View old = frontView();
   Stage stage(old, {placedLine(-1, -1, old)});
   stage.at(0);
-  const View now = frontView(0.5);   // 50 px to the right: everything moves 50 px to the left
+  const View now = frontView(0.5);  // 50 px to the right: everything moves 50 px to the left
   const PlacedLine& line = stage.at(16, now).lines[0];
   REQUIRE(line.line.start == stage.placed.lines[0].line.start);
   REQUIRE(line.lineScreen.start.x == Approx(stage.placed.lines[0].lineScreen.start.x - 50));
@@ -130,9 +131,9 @@ TEST_CASE("a jump of a line that stays the same one is softened, a drift is not"
   const View view = frontView();
   Stage stage(view, {placedLine(-1, -1, view)});
   stage.at(0);
-  stage.place(view, {placedLine(-1.2, -1, view)});    // 20 px
+  stage.place(view, {placedLine(-1.2, -1, view)});  // 20 px
   REQUIRE(same(stage.at(16).lines[0], stage.placed.lines[0]));
-  stage.place(view, {placedLine(-1.7, -1, view)});    // 50 px
+  stage.place(view, {placedLine(-1.7, -1, view)});  // 50 px
   REQUIRE(stage.at(32).lines[0].line.start.y == Approx(-1.2));
   REQUIRE(stage.at(120).lines[0].line.start.y < -1.2);
   REQUIRE(same(stage.at(300).lines[0], stage.placed.lines[0]));

@@ -28,7 +28,7 @@ double elevationDeg(const Camera& camera) {
 
 TEST_CASE("a travel of the viewport's height is a whole turn") {
   const Camera start = orbitCamera({1, 2, 3}, 10, 20, 30);
-  const Camera quarter = orbit(start, {-200, 0}, 800).camera;   // to the left: the camera goes to the right
+  const Camera quarter = orbit(start, {-200, 0}, 800).camera;  // to the left: the camera goes to the right
   REQUIRE(azimuthDeg(quarter) == Approx(110));
   REQUIRE(elevationDeg(quarter) == Approx(30));
   REQUIRE(glm::length(quarter.eye - quarter.target) == Approx(10));
@@ -39,16 +39,16 @@ TEST_CASE("a travel of the viewport's height is a whole turn") {
 
 TEST_CASE("dragging down lifts the camera") {
   const Camera start = orbitCamera({0, 0, 0}, 10, 20, 30);
-  REQUIRE(elevationDeg(orbit(start, {0, 50}, 900).camera) == Approx(50));   // 50 of 900 px are 20 degrees
+  REQUIRE(elevationDeg(orbit(start, {0, 50}, 900).camera) == Approx(50));  // 50 of 900 px are 20 degrees
   REQUIRE(elevationDeg(orbit(start, {0, -50}, 900).camera) == Approx(10));
 }
 
 TEST_CASE("an orbit stops at the pole and below the horizon, and answers at once on the way back") {
   const Camera start = orbitCamera({0, 0, 0}, 10, 20, 30);
-  const OrbitMove up = orbit(start, {0, 500}, 900);     // 200 degrees up
+  const OrbitMove up = orbit(start, {0, 500}, 900);  // 200 degrees up
   REQUIRE(elevationDeg(up.camera) == Approx(90).margin(0.02));
   REQUIRE(azimuthDeg(up.camera) == Approx(20));
-  REQUIRE(up.overrunPx == Approx(350).margin(0.1));     // 150 px were 60 degrees
+  REQUIRE(up.overrunPx == Approx(350).margin(0.1));  // 150 px were 60 degrees
   const OrbitMove down = orbit(start, {0, -500}, 900);
   REQUIRE(elevationDeg(down.camera) == Approx(-0.35 * 180 / kPi));
   REQUIRE(down.overrunPx < 0);
@@ -74,7 +74,8 @@ TEST_CASE("from right above, an orbit comes down on the side that the picture sh
 TEST_CASE("a pan keeps what is at the target's depth under the pointer") {
   Random random(5);
   for (int i = 0; i < 200; ++i) {
-    Camera start = orbitCamera(random.point(Vec3(-2), Vec3(2)), random.scaled(3, 40), random.real(0, 360), random.real(-80, 80), random.real(10, 100));
+    Camera start = orbitCamera(random.point(Vec3(-2), Vec3(2)), random.scaled(3, 40), random.real(0, 360),
+                               random.real(-80, 80), random.real(10, 100));
     if (random.chance(0.5)) start.orthoHeightM = random.scaled(1, 40);
     const Vec2 travel = random.point(Vec2(-60), Vec2(60));
     const View before(start, 900, 700, Bounds{});
@@ -88,7 +89,8 @@ TEST_CASE("a pan keeps what is at the target's depth under the pointer") {
 TEST_CASE("a zoom keeps the point that it is about where it is on screen") {
   Random random(6);
   for (int i = 0; i < 200; ++i) {
-    Camera start = orbitCamera(random.point(Vec3(-2), Vec3(2)), random.scaled(3, 40), random.real(0, 360), random.real(-80, 80), random.real(10, 100));
+    Camera start = orbitCamera(random.point(Vec3(-2), Vec3(2)), random.scaled(3, 40), random.real(0, 360),
+                               random.real(-80, 80), random.real(10, 100));
     if (random.chance(0.5)) start.orthoHeightM = random.scaled(3, 40);
     const View before(start, 900, 700, Bounds{});
     const Vec2 pointer = random.point(Vec2(0), Vec2(900, 700));
@@ -97,8 +99,9 @@ TEST_CASE("a zoom keeps the point that it is about where it is on screen") {
     const double factor = random.scaled(0.7, 1.4);
     const Camera zoomed = zoom(start, factor, pivot, wide());
     REQUIRE(glm::length(View(zoomed, 900, 700, Bounds{}).toScreen(pivot) - pointer) < 1e-6);
-    const double share = start.orthoHeightM ? *zoomed.orthoHeightM / *start.orthoHeightM
-                                            : glm::length(zoomed.target - zoomed.eye) / glm::length(start.target - start.eye);
+    const double share = start.orthoHeightM
+                             ? *zoomed.orthoHeightM / *start.orthoHeightM
+                             : glm::length(zoomed.target - zoomed.eye) / glm::length(start.target - start.eye);
     REQUIRE(share == Approx(factor));
   }
 }

@@ -47,7 +47,7 @@ TEST_CASE("when the motion ends the picture is drawn in full soon after") {
   clock.move(2, 50);
   REQUIRE(clock.governor.reduced());
   clock.rest(50);
-  REQUIRE(clock.governor.reduced());   // perhaps the hand only pauses
+  REQUIRE(clock.governor.reduced());  // perhaps the hand only pauses
   clock.rest(100);
   REQUIRE_FALSE(clock.governor.reduced());
 }

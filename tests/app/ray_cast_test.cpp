@@ -45,7 +45,8 @@ TEST_CASE("a ray beside everything, or away from it, meets nothing") {
 TEST_CASE("instances are met where they stand, in lengths of the world") {
   Scene scene = twoBoxes();
   // Twice as large, and moved to x = 20.
-  scene.instances = {{0, glm::mat4(glm::vec4(2, 0, 0, 0), glm::vec4(0, 2, 0, 0), glm::vec4(0, 0, 2, 0), glm::vec4(20, 0, 0, 1))}};
+  scene.instances = {
+      {0, glm::mat4(glm::vec4(2, 0, 0, 0), glm::vec4(0, 2, 0, 0), glm::vec4(0, 0, 2, 0), glm::vec4(20, 0, 0, 1))}};
   const auto hit = castRay(scene, {{20.5, 0.7, 10}, {0, 0, -1}}, 0);
   REQUIRE(hit);
   REQUIRE(glm::length(*hit - Vec3(20.5, 0.7, 2)) < 1e-6);

@@ -12,7 +12,8 @@ using namespace dimline::test;
 
 namespace {
 
-/// Front view of what stands on the ground around the origin: 100 px a metre, x = 0 and y = 2.5 in the middle of 1000 x 1000.
+/// Front view of what stands on the ground around the origin: 100 px a metre, x = 0 and y = 2.5 in the middle of 1000 x
+/// 1000.
 Camera frontCamera() {
   Camera camera;
   camera.eye = {0, 2.5, 40};
@@ -29,11 +30,14 @@ struct Desk {
   View view;
 
   Desk(ModelDefinition definition, const Camera& camera)
-      : model(makeModel(std::move(definition)).value()), values(model.parameters()), scene(model.definition.build(values)),
+      : model(makeModel(std::move(definition)).value()),
+        values(model.parameters()),
+        scene(model.definition.build(values)),
         view(camera, 1000, 1000, scene.bounds) {}
 
   /// A parameter's base line `number` on its scope of that index, moved by `offset`.
-  [[nodiscard]] PlacedLine line(std::string_view name, int number, const Vec3& offset, std::uint32_t scopeIndex = 0) const {
+  [[nodiscard]] PlacedLine line(std::string_view name, int number, const Vec3& offset,
+                                std::uint32_t scopeIndex = 0) const {
     PlacedLine line;
     line.parameter = findParameter(model.parameters(), name).value();
     const Annotation& annotation = *model.annotations[line.parameter];
@@ -42,7 +46,12 @@ struct Desk {
     }
     line.base = baseLines(annotation, scene.scopes[line.scope].box, view)[static_cast<std::size_t>(number)].segment;
     line.line = {line.base.start + offset, line.base.end + offset};
-    line.identity = {static_cast<std::int32_t>(line.parameter), static_cast<std::int32_t>(scopeIndex), -1, static_cast<std::int16_t>(number), 0, 1};
+    line.identity = {static_cast<std::int32_t>(line.parameter),
+                     static_cast<std::int32_t>(scopeIndex),
+                     -1,
+                     static_cast<std::int16_t>(number),
+                     0,
+                     1};
     line.placement = offset == Vec3(0.0) ? PlacementKind::kInside : PlacementKind::kOutside;
     line.extensionStart.resize(2);
     line.extensionEnd.resize(2);
@@ -52,7 +61,8 @@ struct Desk {
     return line;
   }
 
-  [[nodiscard]] std::optional<HandleDrag> grab(const PlacedLine& line, bool atEnd, const Vec2& grabOffset = {3, -2}) const {
+  [[nodiscard]] std::optional<HandleDrag> grab(const PlacedLine& line, bool atEnd,
+                                               const Vec2& grabOffset = {3, -2}) const {
     const Handle& handle = line.handles[atEnd ? 0 : 1];
     return HandleDrag::begin(model, values, scene, line, handle, handle.screen + grabOffset, view);
   }
@@ -64,14 +74,22 @@ struct Desk {
 };
 
 Parameter parameterNamed(const char* name, double value, double min, double max, double step, const char* annotation) {
-  return {.name = name, .title = name, .unit = Unit::kMetre, .defaultValue = value, .min = min, .max = max, .step = step, .annotation = annotation};
+  return {.name = name,
+          .title = name,
+          .unit = Unit::kMetre,
+          .defaultValue = value,
+          .min = min,
+          .max = max,
+          .step = step,
+          .annotation = annotation};
 }
 
 /// Storeys of 3 m on a base of 0.5 m.
 ModelDefinition tower() {
   ModelDefinition definition;
   definition.name = "tower";
-  Parameter floors = parameterNamed("Floors", 2, 1, 6, 1, "@Handle(scope=Tower, type=linear-contour, orient=up, indirect)");
+  Parameter floors =
+      parameterNamed("Floors", 2, 1, 6, 1, "@Handle(scope=Tower, type=linear-contour, orient=up, indirect)");
   floors.type = ParameterType::kInt;
   floors.unit = Unit::kNone;
   definition.parameters.push_back(floors);
@@ -90,7 +108,8 @@ ModelDefinition tower() {
 ModelDefinition row() {
   ModelDefinition definition;
   definition.name = "row";
-  definition.parameters.push_back(parameterNamed("Spacing", 2.5, 1, 5, 0.1, "@Handle(scope=Tile, type=linear-contour, orient=right, indirect)"));
+  definition.parameters.push_back(
+      parameterNamed("Spacing", 2.5, 1, 5, 0.1, "@Handle(scope=Tile, type=linear-contour, orient=right, indirect)"));
   definition.build = [](const Values& v) {
     Scene scene;
     const double count = std::round(10.0 / v.at(0));
@@ -111,11 +130,11 @@ TEST_CASE("a height that stands on the ground follows the pointer metre by metre
   const Desk desk(boxWithDoor(), frontCamera());
   const PlacedLine line = desk.line("Height", 0, {-1, 0, 0});
   REQUIRE(line.lineScreen.end.x == Approx(0));
-  REQUIRE(line.lineScreen.end.y == Approx(250));   // 5 m up
+  REQUIRE(line.lineScreen.end.y == Approx(250));  // 5 m up
   auto drag = desk.grab(line, true);
   REQUIRE(drag);
   const Vec2 grabbed = line.lineScreen.end + Vec2(3, -2);
-  REQUIRE(drag->valueAt(grabbed + Vec2(0, -47), desk.view) == 5.5);    // 0.47 m up, on steps of 0.1
+  REQUIRE(drag->valueAt(grabbed + Vec2(0, -47), desk.view) == 5.5);  // 0.47 m up, on steps of 0.1
   REQUIRE(drag->valueAt(grabbed + Vec2(0, 120), desk.view) == 3.8);
   REQUIRE(drag->valueAt(grabbed + Vec2(300, 120), desk.view) == 3.8);  // sideways does not count
 }
@@ -161,7 +180,7 @@ TEST_CASE("a drag ends at the limits, however far the pointer goes") {
 
 TEST_CASE("floors follow in whole numbers") {
   const Desk desk(tower(), frontCamera());
-  const PlacedLine line = desk.line("Floors", 0, {-1, 0, 0});   // 6.5 m
+  const PlacedLine line = desk.line("Floors", 0, {-1, 0, 0});  // 6.5 m
   auto drag = desk.grab(line, true, {0, 0});
   REQUIRE(drag->valueAt(line.lineScreen.end - Vec2(0, 140), desk.view) == 2);
   REQUIRE(drag->valueAt(line.lineScreen.end - Vec2(0, 160), desk.view) == 3);
@@ -171,22 +190,23 @@ TEST_CASE("floors follow in whole numbers") {
 
 TEST_CASE("a spacing that the model rounds takes the count that comes nearest to the pointer") {
   const Desk desk(row(), frontCamera());
-  const PlacedLine line = desk.line("Spacing", 0, {0, -0.6, 0}, 0);   // the first of four tiles, -5 to -2.5
+  const PlacedLine line = desk.line("Spacing", 0, {0, -0.6, 0}, 0);  // the first of four tiles, -5 to -2.5
   auto drag = desk.grab(line, true, {0, 0});
   const auto tilesAt = [&](double travelPx) {
-    return desk.sceneAt(line.parameter, drag->valueAt(line.lineScreen.end + Vec2(travelPx, 0), desk.view)).scopes.size();
+    return desk.sceneAt(line.parameter, drag->valueAt(line.lineScreen.end + Vec2(travelPx, 0), desk.view))
+        .scopes.size();
   };
   REQUIRE(tilesAt(0) == 4);
-  REQUIRE(tilesAt(70) == 3);     // 3.2 m: three of 3.33
-  REQUIRE(tilesAt(-45) == 5);    // 2.05 m: five of 2
+  REQUIRE(tilesAt(70) == 3);   // 3.2 m: three of 3.33
+  REQUIRE(tilesAt(-45) == 5);  // 2.05 m: five of 2
 }
 
 TEST_CASE("when the number of scopes changes, the line goes to the one nearest to where the drag began") {
   const Desk desk(row(), frontCamera());
-  const PlacedLine line = desk.line("Spacing", 0, {0, -0.6, 0}, 2);   // 0 to 2.5
+  const PlacedLine line = desk.line("Spacing", 0, {0, -0.6, 0}, 2);  // 0 to 2.5
   auto drag = desk.grab(line, true, {0, 0});
   Values values = desk.values;
-  values.set(0, 2.0);   // five tiles of 2 m; their right ends are at -3, -1, 1, 3 and 5
+  values.set(0, 2.0);  // five tiles of 2 m; their right ends are at -3, -1, 1, 3 and 5
   const auto dragged = drag->lineOn(desk.sceneAt(0, 2.0), values, desk.view);
   REQUIRE(dragged);
   REQUIRE(dragged->base.end.x == Approx(3));
@@ -262,11 +282,14 @@ TEST_CASE("a pointer that is nowhere changes nothing") {
   REQUIRE(drag->valueAt({nan, nan}, desk.view) == 8.6);
 }
 
-TEST_CASE("under any camera the end comes to the pointer as near as a step allows, and back at the start is the value of the start") {
+TEST_CASE(
+    "under any camera the end comes to the pointer as near as a step allows, and back at the start is the value of the "
+    "start") {
   Random random(3);
   int dragged = 0;
   for (int round = 0; round < 300; ++round) {
-    Camera camera = orbitCamera({0, 2.5, 0}, random.scaled(9, 60), random.real(0, 360), random.real(-20, 85), random.real(10, 90));
+    Camera camera =
+        orbitCamera({0, 2.5, 0}, random.scaled(9, 60), random.real(0, 360), random.real(-20, 85), random.real(10, 90));
     if (random.chance(0.3)) camera.orthoHeightM = random.real(8, 40);
     const Desk desk(boxWithDoor(), camera);
     const char* const names[] = {"Width", "Height", "Depth", "DoorWidth"};
@@ -277,7 +300,8 @@ TEST_CASE("under any camera the end comes to the pointer as near as a step allow
     line.line.start += offset - along * glm::dot(offset, along);
     line.line.end += offset - along * glm::dot(offset, along);
     line.placement = PlacementKind::kOutside;
-    if (!canProject(line, desk.view) || !desk.view.viewport().overlaps(Box2{line.lineScreen.end, line.lineScreen.end})) continue;
+    if (!canProject(line, desk.view) || !desk.view.viewport().overlaps(Box2{line.lineScreen.end, line.lineScreen.end}))
+      continue;
     projectLine(line, desk.view, std::nullopt);
     const bool atEnd = random.chance(0.5);
     auto drag = desk.grab(line, atEnd);

@@ -46,10 +46,11 @@ TEST_CASE("the end that cannot be dragged is not taken hold of") {
 
 TEST_CASE("of two handles in reach the nearer one wins") {
   // The middles of the two arrowheads are at x = 194 and x = 216.
-  const std::vector<PlacedLine> lines{lineBetween({100, 50}, {200, 50}, false), lineBetween({300, 50}, {210, 50}, false)};
+  const std::vector<PlacedLine> lines{lineBetween({100, 50}, {200, 50}, false),
+                                      lineBetween({300, 50}, {210, 50}, false)};
   REQUIRE(hitHandle(lines, {204, 50}, 26) == HandleRef{0, 0});
   REQUIRE(hitHandle(lines, {206, 50}, 26) == HandleRef{1, 0});
-  REQUIRE(hitHandle(lines, {205, 50}, 26) == HandleRef{0, 0});   // as far from both: the first
+  REQUIRE(hitHandle(lines, {205, 50}, 26) == HandleRef{0, 0});  // as far from both: the first
 }
 
 TEST_CASE("a line with handles at both ends has both") {

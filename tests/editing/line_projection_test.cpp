@@ -50,7 +50,7 @@ TEST_CASE("a longer line takes its handles, extension lines and label along") {
   REQUIRE(line.handles[1].screen.x == Approx(300));
   REQUIRE(line.extensionEnd.front().x == Approx(800));
   REQUIRE(line.extensionEnd.back().y == Approx(600));
-  REQUIRE(line.label->center().x == Approx(550));   // still the middle
+  REQUIRE(line.label->center().x == Approx(550));  // still the middle
 }
 
 TEST_CASE("a label beyond an end stays beyond it") {

@@ -23,8 +23,8 @@ TEST_CASE("a new history has nothing to undo or to redo") {
 
 TEST_CASE("undo goes back step by step, redo forward again") {
   UndoHistory history;
-  history.record(valuesOf(1));   // 1 -> 2
-  history.record(valuesOf(2));   // 2 -> 3
+  history.record(valuesOf(1));  // 1 -> 2
+  history.record(valuesOf(2));  // 2 -> 3
   Values present = valuesOf(3);
 
   present = history.undo(present).value();
@@ -44,14 +44,14 @@ TEST_CASE("a new gesture takes away what could be redone") {
   UndoHistory history;
   history.record(valuesOf(1));
   const Values present = history.undo(valuesOf(2)).value();
-  history.record(present);       // 1 -> 5 instead
+  history.record(present);  // 1 -> 5 instead
   REQUIRE_FALSE(history.canRedo());
   REQUIRE(history.undo(valuesOf(5)).value() == valuesOf(1));
 }
 
 TEST_CASE("a full history forgets its oldest step") {
   UndoHistory history(3);
-  for (int i = 0; i < 5; ++i) history.record(valuesOf(i));   // 0 -> 1 -> 2 -> 3 -> 4 -> 5
+  for (int i = 0; i < 5; ++i) history.record(valuesOf(i));  // 0 -> 1 -> 2 -> 3 -> 4 -> 5
   Values present = valuesOf(5);
   for (const int expected : {4, 3, 2}) {
     present = history.undo(present).value();

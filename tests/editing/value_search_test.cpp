@@ -19,8 +19,12 @@ Parameter lengthParameter(double min, double max, double step) {
 }
 
 Parameter countParameter(int min, int max) {
-  return {.name = "N", .type = ParameterType::kInt, .defaultValue = static_cast<double>(min), .min = static_cast<double>(min),
-          .max = static_cast<double>(max), .step = 1};
+  return {.name = "N",
+          .type = ParameterType::kInt,
+          .defaultValue = static_cast<double>(min),
+          .min = static_cast<double>(min),
+          .max = static_cast<double>(max),
+          .step = 1};
 }
 
 /// A rule without gaps, zero at the start.
@@ -97,7 +101,7 @@ TEST_CASE("a start off the steps is kept as long as the pointer is nearer to it 
 }
 
 TEST_CASE("without steps the value has no more digits than a quarter pixel needs") {
-  ValueSearch search(lengthParameter(1, 20, 0), 8, 1, 0.004);   // a quarter pixel is 4 mm: values in millimetres
+  ValueSearch search(lengthParameter(1, 20, 0), 8, 1, 0.004);  // a quarter pixel is 4 mm: values in millimetres
   REQUIRE(search.find(0.12345, reachOf([](double v) { return v; }, 8)) == 8.123);
 }
 
@@ -106,9 +110,9 @@ TEST_CASE("a repeat that rounds gives a value of the right count") {
   const auto end = [](double s) { return 10.0 / std::round(10.0 / s); };
   ValueSearch search(lengthParameter(1, 5, 0.1), 2.5, 1, 0.001);
   const Reach reach = reachOf(end, 2.5);
-  const double three = search.find(0.7, reach);    // 3.2: three parts of 3.33 rather than four of 2.5
+  const double three = search.find(0.7, reach);  // 3.2: three parts of 3.33 rather than four of 2.5
   REQUIRE(end(three) == Approx(10.0 / 3));
-  const double five = search.find(-0.45, reach);   // 2.05: five of 2
+  const double five = search.find(-0.45, reach);  // 2.05: five of 2
   REQUIRE(end(five) == Approx(2.0));
 }
 
@@ -147,7 +151,7 @@ TEST_CASE("the nearest step is found for random rules that rise or fall, as by t
     const double bend = random.real(0, 0.5);
     const double stair = random.chance(0.5) ? random.scaled(0.05, 3) : 0;
     const auto end = [=](double v) {
-      const double x = v + bend * std::sin(v);   // steep and flat in turns, always rising
+      const double x = v + bend * std::sin(v);  // steep and flat in turns, always rising
       return sign * slope * (stair > 0 ? stair * std::floor(x / stair) : x);
     };
     const double tolerance = 1e-4 * slope;
