@@ -25,6 +25,7 @@ constexpr std::string_view kHelp =
     "  --extremes        also the orbits at each parameter's least and greatest value\n"
     "  --flights N       also N random flights: round the model, into it and back; all kinds of lens and viewport\n"
     "  --worst K         lists the K gravest cases under each row that misses its aim\n"
+    "  --svg FOLDER      with --worst: also writes the drawings of those cases, FOLDER/orbits-flicker-1.svg and so on\n"
     "  --json            an array of objects in place of the tables\n";
 
 constexpr OptionRule kRules[] = {{"--set", OptionRule::Kind::kRepeatable, "NAME=VALUE"},
@@ -34,6 +35,7 @@ constexpr OptionRule kRules[] = {{"--set", OptionRule::Kind::kRepeatable, "NAME=
                                  {"--extremes", OptionRule::Kind::kFlag, {}},
                                  {"--flights", OptionRule::Kind::kValue, "N"},
                                  {"--worst", OptionRule::Kind::kValue, "K"},
+                                 {"--svg", OptionRule::Kind::kValue, "FOLDER"},
                                  {"--json", OptionRule::Kind::kFlag, {}}};
 
 struct AuditOptions {
@@ -41,6 +43,7 @@ struct AuditOptions {
   std::vector<std::string_view> assignments;
   AuditPlan plan;
   std::size_t worst = 0;
+  std::optional<std::string> svgFolder;
   bool json = false;
 };
 
@@ -99,6 +102,11 @@ Result<AuditOptions> parseOptions(std::span<const std::string_view> list) {
   if (Status status = readCount(*arguments, "--worst", 0, 1000, worst); !status) return status.error();
   options.plan.flights = flights.value_or(0);
   options.worst = static_cast<std::size_t>(worst.value_or(0));
+  if (const auto folder = arguments->value("--svg")) {
+    if (folder->empty() || options.worst == 0)
+      return Error{"--svg takes a folder, and needs --worst K to know what to draw."};
+    options.svgFolder = std::string(*folder);
+  }
   return options;
 }
 
@@ -123,6 +131,10 @@ Outcome auditOne(std::string_view name, const AuditOptions& options, JsonWriter&
   const auto values = valuesFor(*model, options.assignments);
   if (!values) return badInput(values.error());
   const std::vector<AuditPart> parts = auditModel(*model, *values, options.plan, streams.err);
+  if (options.svgFolder) {
+    if (Status status = drawWorst(*model, parts, options.worst, *options.svgFolder); !status)
+      return badInput(status.error());
+  }
   if (options.json) {
     writeAudit(json, *model, parts, options.worst);
   } else {

@@ -95,7 +95,7 @@ void writeRow(JsonWriter& json, const AuditPart& part, const RowDefinition& row,
 
 void printAudit(const Model& model, const AuditPart& part, std::size_t worst, std::ostream& out) {
   std::size_t met = 0;
-  out << model.definition.name << ", " << part.title << ": " << part.flights << " flights, " << part.frames
+  out << model.definition.name << ", " << part.title << ": " << part.flights.size() << " flights, " << part.frames
       << " frames, " << part.framesMeasured << " of them held against their pixels, in " << formatFixed(part.seconds, 0)
       << " s\n";
   out << std::left << std::setw(kTitleWidth) << "measure" << std::setw(kFigureWidth) << "placed"
@@ -121,7 +121,7 @@ void writeAudit(JsonWriter& json, const Model& model, const std::vector<AuditPar
   for (const AuditPart& part : parts) {
     json.beginObject();
     json.key("part").value(part.title);
-    json.key("flights").value(part.flights);
+    json.key("flights").value(part.flights.size());
     json.key("frames").value(part.frames);
     json.key("framesMeasured").value(part.framesMeasured);
     json.key("rows").beginArray();

@@ -138,7 +138,7 @@ void Auditor::audit(const Scene& scene, const Values& values, Flight flight, int
     part.placed.add(sum.placed);
     part.frozen.add(sum.frozen);
   }
-  ++part.flights;
+  part.flights.push_back({values, flown.flight});
   part.frames += flown.layouts.size();
   part.framesMeasured += measured;
   part.seconds = secondsSince(start_);

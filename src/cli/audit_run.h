@@ -6,6 +6,7 @@
 
 #include "cli/audit_flight.h"
 #include "cli/audit_rows.h"
+#include "core/result.h"
 #include "model/model.h"
 
 namespace dimline {
@@ -25,7 +26,12 @@ struct AuditPlan {
 /// One table: what was found over some flights.
 struct AuditPart {
   std::string title;  ///< "orbits", "extremes", "flights"
-  std::size_t flights = 0;
+  /// The ways that were flown, and at which values of the parameters.
+  struct Leg {
+    Values values;
+    Flight flight;
+  };
+  std::vector<Leg> flights;
   std::size_t frames = 0;
   std::size_t framesMeasured = 0;  ///< held against their pixels
   double seconds = 0;
@@ -37,5 +43,9 @@ struct AuditPart {
 /// same plan gives the same result however many there are. Tells of its progress on `progress`.
 std::vector<AuditPart> auditModel(const Model& model, const Values& values, const AuditPlan& plan,
                                   std::ostream& progress);
+
+/// Writes the drawings of the frames that the report lists, the gravest `worst` of each row that misses its aim, as
+/// FOLDER/orbits-flicker-1.svg and so on. Flies there again for that.
+Status drawWorst(const Model& model, const std::vector<AuditPart>& parts, std::size_t worst, const std::string& folder);
 
 }  // namespace dimline
