@@ -49,6 +49,18 @@ std::string textOf(const State& state, const Model& model) {
   return text;
 }
 
+/// What happened to an earlier line in the same step and so may be why: ", after Width changed place"; empty when nothing
+/// did.
+std::string afterWhat(const Layout& before, const Layout& after, std::size_t parameter, const Model& model) {
+  for (const PlacedLine& line : after.lines) {
+    if (line.parameter == parameter) break;
+    const State then = stateOf(before, line.parameter);
+    if (sameState(then, stateOf(after, line.parameter))) continue;
+    return ", after " + model.parameters()[line.parameter].name + (then.empty() ? " came" : " changed place");
+  }
+  return {};
+}
+
 void measureStates(const Model& model, std::size_t parameter, std::span<const Layout> layouts,
                    std::span<const FrameName> names, AuditTally& tally) {
   const std::string& parameterName = model.parameters()[parameter].name;
@@ -61,7 +73,8 @@ void measureStates(const Model& model, std::size_t parameter, std::span<const La
       tally.judge(AuditRow::kIdentityChanges);
       if (!same) {
         tally.offend(AuditRow::kIdentityChanges, parameterName, 0, names[f],
-                     textOf(before, model) + " to " + textOf(states[f], model));
+                     textOf(before, model) + " to " + textOf(states[f], model) +
+                         afterWhat(layouts[f - 1], layouts[f], parameter, model));
       }
     }
     if (same) continue;
@@ -90,8 +103,9 @@ void measureJumps(const Model& model, const Layout& before, const Layout& after,
     };
     const double way = std::max(moved(&Segment2::start), moved(&Segment2::end));
     if (way > kJumpPx) {
-      tally.offend(AuditRow::kJumps, model.parameters()[line.parameter].name, way, name,
-                   "moves " + formatFixed(way, 0) + " px in one step");
+      tally.offend(
+          AuditRow::kJumps, model.parameters()[line.parameter].name, way, name,
+          "moves " + formatFixed(way, 0) + " px in one step" + afterWhat(before, after, line.parameter, model));
     }
   }
 }
