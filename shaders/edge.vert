@@ -1,8 +1,8 @@
-// One instance an edge: a strip of four corners along it on screen. Edges that are not to be inked collapse to nothing.
+// Four vertices an edge: the corners around it on screen. Edges that are not to be inked collapse to nothing.
 layout(location = 0) in vec3 a;
 layout(location = 1) in vec3 b;
-layout(location = 2) in vec3 normalA;
-layout(location = 3) in vec3 normalB;
+layout(location = 2) in vec4 normalA;
+layout(location = 3) in vec4 normalB;
 layout(location = 4) in float width;  // of the narrower face (m); negative: a round surface's edge
 
 out vec2 local;            // device px: along, across
@@ -25,8 +25,8 @@ void main() {
   gl_Position = kNowhere;
   vec3 middle = (a + b) * 0.5;
   vec3 viewer = towardsViewer(middle);
-  bool frontA = dot(normalA, viewer) > 0.0;
-  bool frontB = dot(normalB, viewer) > 0.0;
+  bool frontA = dot(normalA.xyz, viewer) > 0.0;
+  bool frontB = dot(normalB.xyz, viewer) > 0.0;
   bool contour = frontA != frontB;
   if (!contour && (width < 0.0 || !frontA)) return;
 
@@ -54,7 +54,7 @@ void main() {
   vec2 along = (pxB - pxA) / len;
   vec2 across = vec2(-along.y, along.x);
   bool atB = (gl_VertexID & 1) == 1;
-  float side = (gl_VertexID >> 1) == 1 ? 1.0 : -1.0;
+  float side = (gl_VertexID & 2) == 2 ? 1.0 : -1.0;
   local = vec2(atB ? len + 0.5 : -0.5, side * (halfWidth + 0.5));
   stroke = vec2(len, halfWidth);
   vec4 clip = atB ? clipB : clipA;

@@ -2,6 +2,7 @@
 layout(std140) uniform Frame {
   mat4 worldToClip;
   mat4 worldToShadow;
+  mat4 clipToWorld;
   vec4 eye;
   vec4 sun;
   vec4 viewport;
@@ -13,6 +14,7 @@ layout(std140) uniform Frame {
   vec4 skyScale;
   vec4 backgroundTop;
   vec4 backgroundBottom;
+  ivec4 detail;
 };
 
 // Unit direction from a point to the viewer.

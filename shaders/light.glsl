@@ -3,26 +3,22 @@ uniform sampler2DShadow shadowMap;
 uniform sampler3D skyVolume;
 
 const vec3 kSunLight = vec3(1.00, 0.93, 0.82) * 1.22;
-const vec3 kSkyLight = vec3(0.91, 0.95, 1.00) * 0.68;
-const vec3 kBounceLight = vec3(1.00, 0.95, 0.88) * 0.44;
+const vec3 kSkyLight = vec3(0.89, 0.945, 1.00) * 0.73;
+const vec3 kBounceLight = vec3(1.00, 0.95, 0.88) * 0.48;
 
 // Share of the sun that a point sees.
 float sunVisibility(vec3 world, vec3 normal) {
   vec3 at = (worldToShadow * vec4(world + normal * (sun.w * 1.5), 1.0)).xyz;
   at.z = min(at.z, 1.0);
   vec2 texel = 1.0 / vec2(textureSize(shadowMap, 0));
-#ifdef REDUCED
-  // Each look-up is filtered over four texels; four of them, turned, make a soft enough edge.
-  float lit = texture(shadowMap, vec3(at.xy + vec2(0.5, 1.4) * texel, at.z)) + texture(shadowMap, vec3(at.xy + vec2(-1.4, 0.5) * texel, at.z)) +
-              texture(shadowMap, vec3(at.xy + vec2(-0.5, -1.4) * texel, at.z)) + texture(shadowMap, vec3(at.xy + vec2(1.4, -0.5) * texel, at.z));
-  return lit * 0.25;
-#else
+  // Each look-up is filtered over four texels; a few more around it (a Vogel spiral) make the edge soft.
   float lit = 0.0;
-  for (int y = -1; y <= 1; ++y) {
-    for (int x = -1; x <= 1; ++x) lit += texture(shadowMap, vec3(at.xy + vec2(x, y) * texel * 1.5, at.z));
+  for (int i = 0; i < detail.x; ++i) {
+    float angle = float(i) * 2.3999632;
+    float r = 2.1 * sqrt((float(i) + 0.5) / float(detail.x));
+    lit += texture(shadowMap, vec3(at.xy + vec2(cos(angle), sin(angle)) * (r * texel), at.z));
   }
-  return lit / 9.0;
-#endif
+  return lit / float(detail.x);
 }
 
 // Light from the sky and from the ground, less what the model itself hides of them. `flatNormal`: of the surface without its relief.

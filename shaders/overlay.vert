@@ -1,4 +1,4 @@
-// One instance a shape: a strip of four corners around it, with room for soft edges.
+// Four vertices a shape: the corners around it, with room for soft edges.
 layout(location = 0) in vec2 startPx;
 layout(location = 1) in vec2 endPx;
 layout(location = 2) in vec3 measures;  // half width, softness, dash (px)
@@ -18,7 +18,7 @@ void main() {
   vec2 along = len > 0.0 ? axis / len : vec2(1.0, 0.0);
   vec2 across = vec2(-along.y, along.x);
   float room = 1.0 / viewport.z;
-  vec2 corner = vec2(gl_VertexID & 1, gl_VertexID >> 1);
+  vec2 corner = vec2(gl_VertexID & 1, (gl_VertexID >> 1) & 1);
   local = vec2(mix(-room, len + room, corner.x), mix(-1.0, 1.0, corner.y) * (measures.x + room));
   shape = vec4(len, measures);
   shapeKind = kind;

@@ -1,5 +1,6 @@
 // What surfaces are made of, drawn from uv in metres. Everything is averaged over a pixel's footprint, and what is finer than a pixel fades to
-// its mean, so that nothing shimmers when the camera moves. PATTERN is Material::Pattern.
+// its mean, so that nothing shimmers when the camera moves. PATTERN is Material::Pattern. What a reduced picture leaves out stands in loops,
+// because software rasterizers do not skip branches that are not taken.
 #define PATTERN_PLAIN 0
 #define PATTERN_BRICK 1
 #define PATTERN_PLASTER 2
@@ -63,17 +64,15 @@ void brick(inout Surface s, vec2 uv, vec2 footprint) {
 
 void plaster(inout Surface s, vec2 uv, vec2 footprint) {
   float f = max(footprint.x, footprint.y);
-  float broad = noise(uv * 0.9) - 0.5;
-  s.albedo *= 1.0 + 0.045 * broad;
-#ifndef REDUCED
-  // Grain that shows from near only.
-  float grain = resolved(f / 0.05);
-  if (grain > 0.0) {
-    float here = noise(uv / 0.035);
-    s.albedo *= 1.0 + 0.04 * (here - 0.5) * grain;
-    s.slope += 0.045 * grain * vec2(noise(uv / 0.035 + vec2(0.3, 0.0)) - here, noise(uv / 0.035 + vec2(0.0, 0.3)) - here) / 0.3;
+  float size = 1.1;
+  // A broad mottling, then grain that shows from near only.
+  for (int layer = 0; layer < detail.y; ++layer) {
+    float seen = resolved(f / size);
+    float here = noise(uv / size);
+    s.albedo *= 1.0 + 0.045 * (here - 0.5) * seen;
+    if (layer > 0) s.slope += 0.15 * seen * vec2(noise(uv / size + vec2(0.3, 0.0)) - here, noise(uv / size + vec2(0.0, 0.3)) - here);
+    size = 0.035;
   }
-#endif
 }
 
 void planks(inout Surface s, vec2 uv, vec2 footprint) {
@@ -83,10 +82,10 @@ void planks(inout Surface s, vec2 uv, vec2 footprint) {
   float gap = pulses(x, 0.055, f);
   float tone = hash(ivec2(int(floor(x)), 7));
   s.albedo *= mix(1.0, 0.90 + 0.20 * tone, resolved(f));
-#ifndef REDUCED
-  float grain = resolved(footprint.x / 0.02);
-  if (grain > 0.0) s.albedo *= 1.0 + 0.16 * grain * (noise(vec2(uv.x / 0.012 + tone * 40.0, uv.y / 0.45)) - 0.5);
-#endif
+  for (int layer = 1; layer < detail.y; ++layer) {
+    float grain = noise(vec2(uv.x / 0.012 + tone * 40.0, uv.y / 0.45)) - 0.5;
+    s.albedo *= 1.0 + 0.16 * grain * resolved(footprint.x / 0.02);
+  }
   s.albedo *= 1.0 - 0.55 * gap;
 }
 
@@ -119,9 +118,9 @@ void stone(inout Surface s, vec2 uv, vec2 footprint) {
   float joint = max(pulses(y, 0.045, f.y), pulses(x, 0.03, f.x));
   float tone = hash(ivec2(int(floor(x)), int(course)));
   s.albedo *= mix(1.0, 0.88 + 0.24 * tone, resolved(max(f.x, f.y)));
-#ifndef REDUCED
-  s.albedo *= 1.0 + 0.10 * (noise(uv / 0.11) - 0.5) * resolved(max(footprint.x, footprint.y) / 0.11);
-#endif
+  for (int layer = 1; layer < detail.y; ++layer) {
+    s.albedo *= 1.0 + 0.10 * (noise(uv / 0.11) - 0.5) * resolved(max(footprint.x, footprint.y) / 0.11);
+  }
   s.albedo *= 1.0 - 0.34 * joint;
 }
 

@@ -7,13 +7,14 @@ uniform sampler2D image;
 #endif
 out vec4 color;
 
-// What a mirror shows in direction r: sky over a soft skyline, and bright ground.
+// What a mirror shows in direction r: sky over a soft skyline. Below the horizon the same once more, as in water: a pane that is seen
+// from above would show nothing but paper otherwise.
 vec3 surroundings(vec3 r) {
-  vec3 sky = mix(vec3(0.90, 0.94, 0.97), vec3(0.42, 0.60, 0.84), sqrt(clamp(r.y, 0.0, 1.0)));
+  float height = abs(r.y);
+  vec3 sky = mix(vec3(0.88, 0.93, 0.97), vec3(0.40, 0.58, 0.82), sqrt(height));
   float around = atan(r.x, r.z);
-  float skyline = 0.075 + 0.030 * sin(around * 5.0) + 0.018 * sin(around * 13.0 + 1.0);
-  vec3 far = mix(vec3(0.86, 0.85, 0.83), vec3(0.34, 0.39, 0.40), smoothstep(-0.55, 0.02, r.y));
-  return mix(far, sky, smoothstep(skyline - 0.03, skyline + 0.03, r.y));
+  float skyline = 0.070 + 0.030 * sin(around * 5.0) + 0.018 * sin(around * 13.0 + 1.0);
+  return mix(vec3(0.34, 0.39, 0.40), sky, smoothstep(skyline - 0.04, skyline + 0.04, height));
 }
 
 void main() {
@@ -49,7 +50,7 @@ void main() {
   // Reflections dim where the sky does: in reveals and under eaves.
   vec3 reflected = surroundings(mirrored) * clamp(0.35 + 0.9 * dot(ambient, vec3(0.5)), 0.0, 1.0);
 #if PATTERN == PATTERN_GLASS
-  radiance = mix(s.albedo * ambient * 0.7, reflected, 0.17 + 0.83 * grazing);
+  radiance = mix(s.albedo * ambient * 0.7, reflected, 0.22 + 0.78 * grazing);
 #else
   float sheen = 1.0 - s.roughness;
   radiance = mix(diffuse, reflected * mix(s.albedo, vec3(1.0), grazing), sheen * 0.55);

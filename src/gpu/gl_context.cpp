@@ -1,8 +1,9 @@
 #include "gpu/gl_context.h"
 
 #include <algorithm>
-#include <array>
 #include <string_view>
+
+#include "gpu/platform.h"
 
 namespace dimline {
 
@@ -17,7 +18,7 @@ std::string textOf(const GLubyte* text) {
 }  // namespace
 
 GlContext::GlContext() {
-  rendererName_ = textOf(glGetString(GL_RENDERER));
+  rendererName_ = driverName();
   std::string lower = rendererName_;
   std::transform(lower.begin(), lower.end(), lower.begin(),
                  [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });

@@ -5,19 +5,18 @@
 
 #include <glm/geometric.hpp>
 
+#include "gpu/packing.h"
+
 namespace dimline {
 
 namespace {
 
-/// A mesh whose instances have at most this many triangles together is laid out in world space: a draw call costs more than the memory.
-constexpr std::size_t kInstancingTriangles = 6000;
+/// A mesh whose instances have at most this many triangles together is laid out in world space: draw calls cost more than the memory, and
+/// software rasterizers treat every instance as one.
+constexpr std::size_t kInstancingTriangles = 20000;
 
-std::uint32_t packNormal(const glm::vec3& n) {
-  const auto axis = [](float v) {
-    return static_cast<std::uint32_t>(static_cast<std::int32_t>(std::lround(std::clamp(v, -1.0F, 1.0F) * 511.0F))) & 0x3FFU;
-  };
-  return axis(n.x) | (axis(n.y) << 10U) | (axis(n.z) << 20U);
-}
+/// How many vertices are looked back over for one that can be used again.
+constexpr std::size_t kVertexWindow = 8;
 
 /// How normals go through an affine map with positive scales: by the inverse transpose.
 struct NormalMap {
@@ -51,6 +50,7 @@ GpuScene::GpuScene(const GlContext& context)
       positionBuffer_(context),
       indexBuffer_(context),
       vertexBuffer_(context),
+      vertexIndexBuffer_(context),
       instanceBuffer_(context) {}
 
 void GpuScene::upload(const Scene& scene) {
@@ -59,6 +59,7 @@ void GpuScene::upload(const Scene& scene) {
   positions_.clear();
   indices_.clear();
   vertices_.clear();
+  vertexIndices_.clear();
   instanceRows_.clear();
   findGroups(scene);
 
@@ -88,6 +89,7 @@ void GpuScene::upload(const Scene& scene) {
   dimline::upload(positionBuffer_, GL_ARRAY_BUFFER, std::span<const glm::vec3>(positions_), GL_DYNAMIC_DRAW);
   dimline::upload(indexBuffer_, GL_ELEMENT_ARRAY_BUFFER, std::span<const std::uint32_t>(indices_), GL_DYNAMIC_DRAW);
   dimline::upload(vertexBuffer_, GL_ARRAY_BUFFER, std::span<const Vertex>(vertices_), GL_DYNAMIC_DRAW);
+  dimline::upload(vertexIndexBuffer_, GL_ELEMENT_ARRAY_BUFFER, std::span<const std::uint32_t>(vertexIndices_), GL_DYNAMIC_DRAW);
   dimline::upload(instanceBuffer_, GL_ARRAY_BUFFER, std::span<const InstanceRows>(instanceRows_), GL_DYNAMIC_DRAW);
   for (Batch& batch : batches_) setUpVertexArrays(batch);
   glBindVertexArray(0);
@@ -110,7 +112,7 @@ void GpuScene::addBatch(std::span<const Part> parts, std::span<const glm::mat4> 
   Batch batch;
   batch.baseVertex = positions_.size();
   batch.firstIndex = indices_.size();
-  batch.firstCorner = vertices_.size();
+  batch.firstVertex = vertices_.size();
   batch.firstInstance = instanceRows_.size();
   batch.instances = static_cast<GLsizei>(instances.size());
   for (const glm::mat4& m : instances) {
@@ -125,15 +127,15 @@ void GpuScene::addBatch(std::span<const Part> parts, std::span<const glm::mat4> 
   }
   batch.indexCount = static_cast<GLsizei>(indices_.size() - batch.firstIndex);
   std::vector<std::size_t> next(groups_.size());
-  std::size_t corner = batch.firstCorner;
+  std::size_t index = vertexIndices_.size();
   for (std::size_t group = 0; group < groups_.size(); ++group) {
-    next[group] = corner;
+    next[group] = index;
     if (counts[group] == 0) continue;
-    batch.ranges.push_back({group, static_cast<GLint>(corner - batch.firstCorner), static_cast<GLsizei>(counts[group])});
-    corner += counts[group];
+    batch.ranges.push_back({group, index, static_cast<GLsizei>(counts[group])});
+    index += counts[group];
   }
-  vertices_.resize(corner);
-  for (const Part& part : parts) writeCorners(part, next);
+  vertexIndices_.resize(index);
+  for (const Part& part : parts) writeCorners(part, batch.firstVertex, next);
   batches_.push_back(std::move(batch));
 }
 
@@ -145,16 +147,25 @@ void GpuScene::appendPositions(const Part& part, std::size_t baseVertex) {
   }
 }
 
-void GpuScene::writeCorners(const Part& part, std::vector<std::size_t>& nextCorner) {
+void GpuScene::writeCorners(const Part& part, std::size_t firstVertex, std::vector<std::size_t>& nextIndex) {
   const Mesh& mesh = *part.mesh;
   const NormalMap mapNormal(part.transform);
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     const std::uint16_t material = mesh.materials[t];
-    std::size_t& next = nextCorner[groupOfMaterial_[material]];
+    std::size_t& next = nextIndex[groupOfMaterial_[material]];
     for (std::size_t k = 0; k < 3; ++k) {
       const glm::vec3 p(part.transform * glm::vec4(mesh.positions[mesh.triangles[t][k]], 1.0F));
       const glm::vec3 n = mapNormal(mesh.normals[t][k]);
-      vertices_[next++] = {p, packNormal(n), mesh.uvs.empty() ? uvOnFace(p, n) : mesh.uvs[t][k], material};
+      const Vertex vertex{p, packNormal(n), mesh.uvs.empty() ? uvOnFace(p, n) : mesh.uvs[t][k], material};
+      // Corners that fall together come soon after each other: in the two halves of a quadrilateral, in fans and in strips.
+      std::size_t found = vertices_.size();
+      const std::size_t oldest = std::max(firstVertex, found - std::min(found, kVertexWindow));
+      while (found > oldest && !(vertices_[found - 1] == vertex)) --found;
+      if (found == oldest) {
+        vertices_.push_back(vertex);
+        found = vertices_.size();
+      }
+      vertexIndices_[next++] = static_cast<std::uint32_t>(found - 1 - firstVertex);
     }
   }
 }
@@ -182,7 +193,8 @@ void GpuScene::setUpVertexArrays(Batch& batch) {
   batch.surface = VertexArray(*context_);
   glBindVertexArray(batch.surface.id());
   glBindBuffer(GL_ARRAY_BUFFER, vertexBuffer_.id());
-  const std::size_t base = batch.firstCorner * sizeof(Vertex);
+  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, vertexIndexBuffer_.id());
+  const std::size_t base = batch.firstVertex * sizeof(Vertex);
   glEnableVertexAttribArray(SceneAttribute::kPosition);
   glVertexAttribPointer(SceneAttribute::kPosition, 3, GL_FLOAT, GL_FALSE, sizeof(Vertex), bufferOffset(base + offsetof(Vertex, position)));
   glEnableVertexAttribArray(SceneAttribute::kNormal);
@@ -245,7 +257,8 @@ void GpuScene::drawGroup(std::size_t group) const {
     for (const Range& range : batch.ranges) {
       if (range.group != group) continue;
       glBindVertexArray(batch.surface.id());
-      glDrawArraysInstanced(GL_TRIANGLES, range.first, range.count, batch.instances);
+      glDrawElementsInstanced(GL_TRIANGLES, range.count, GL_UNSIGNED_INT, bufferOffset(range.firstIndex * sizeof(std::uint32_t)),
+                              batch.instances);
     }
   }
   glBindVertexArray(0);

@@ -19,8 +19,8 @@ struct SceneAttribute {
   static constexpr GLuint kInstanceRow = 4;
 };
 
-/// A Scene's triangles on the GPU, in two forms: positions alone, indexed (for masks, shadows and depth), and full vertices, one a corner,
-/// sorted by what shader they want. Meshes that are used rarely are laid out in world space in one batch, the others are instanced.
+/// A Scene's triangles on the GPU, in two forms, both indexed: positions alone (for masks, shadows and depth), and full vertices, sorted by
+/// what shader they want. Meshes that are used rarely are laid out in world space in one batch, the others are instanced.
 class GpuScene {
  public:
   /// Triangles that one shader with one texture draws.
@@ -55,13 +55,14 @@ class GpuScene {
     std::uint32_t normal;     ///< signed, 10 bits an axis
     glm::vec2 uv;
     std::uint32_t material;
+    bool operator==(const Vertex&) const = default;
   };
   struct InstanceRows {
     glm::vec4 x, y, z;
   };
   struct Range {
     std::size_t group = 0;
-    GLint first = 0;
+    std::size_t firstIndex = 0;
     GLsizei count = 0;
   };
   /// Triangles drawn together: many meshes once, already in world space, or one mesh many times.
@@ -71,7 +72,7 @@ class GpuScene {
     std::size_t baseVertex = 0;      ///< of the position stream
     std::size_t firstIndex = 0;
     GLsizei indexCount = 0;
-    std::size_t firstCorner = 0;     ///< of the full vertices
+    std::size_t firstVertex = 0;     ///< of the full vertices
     std::size_t firstInstance = 0;
     GLsizei instances = 0;
     std::vector<Range> ranges;
@@ -85,13 +86,13 @@ class GpuScene {
   void findGroups(const Scene& scene);
   void addBatch(std::span<const Part> parts, std::span<const glm::mat4> instances);
   void appendPositions(const Part& part, std::size_t baseVertex);
-  void writeCorners(const Part& part, std::vector<std::size_t>& nextCorner);
+  void writeCorners(const Part& part, std::size_t firstVertex, std::vector<std::size_t>& nextIndex);
   void setUpVertexArrays(Batch& batch);
   void uploadMaterials(const Scene& scene);
   void uploadImages(const Scene& scene);
 
   const GlContext* context_;
-  Buffer positionBuffer_, indexBuffer_, vertexBuffer_, instanceBuffer_;
+  Buffer positionBuffer_, indexBuffer_, vertexBuffer_, vertexIndexBuffer_, instanceBuffer_;
   Texture materialTexture_;
   std::vector<Texture> images_;
   std::vector<Image> imageCopies_;   ///< what images_ holds, so that an unchanged image is not sent again
@@ -104,6 +105,7 @@ class GpuScene {
   std::vector<glm::vec3> positions_;
   std::vector<std::uint32_t> indices_;
   std::vector<Vertex> vertices_;
+  std::vector<std::uint32_t> vertexIndices_;
   std::vector<InstanceRows> instanceRows_;
 };
 

@@ -1,11 +1,8 @@
 #include "gpu/pixel_readback.h"
 
-#include <cstring>
 #include <utility>
 
-#ifdef __EMSCRIPTEN__
-#include <webgl/webgl2.h>
-#endif
+#include "gpu/platform.h"
 
 namespace dimline {
 
@@ -59,15 +56,7 @@ bool PixelReadback::ready() {
 
 void PixelReadback::copy(std::size_t offset, std::span<std::uint8_t> pixels) {
   glBindBuffer(GL_PIXEL_PACK_BUFFER, buffer_.id());
-#ifdef __EMSCRIPTEN__
-  // WebGL cannot map a buffer; this call waits by itself where it must.
-  glGetBufferSubData(GL_PIXEL_PACK_BUFFER, static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(pixels.size()), pixels.data());
-#else
-  const void* const mapped = glMapBufferRange(GL_PIXEL_PACK_BUFFER, static_cast<GLintptr>(offset),
-                                              static_cast<GLsizeiptr>(pixels.size()), GL_MAP_READ_BIT);
-  if (mapped != nullptr) std::memcpy(pixels.data(), mapped, pixels.size());
-  glUnmapBuffer(GL_PIXEL_PACK_BUFFER);
-#endif
+  readBuffer(GL_PIXEL_PACK_BUFFER, offset, pixels);
   glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
 }
 

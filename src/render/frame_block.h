@@ -11,6 +11,7 @@ namespace dimline {
 struct FrameBlock {
   glm::mat4 worldToClip{1.0F};
   glm::mat4 worldToShadow{1.0F};     ///< to the unit cube that the shadow map covers
+  glm::mat4 clipToWorld{1.0F};
   glm::vec4 eye{0.0F};               ///< position and 1; orthographic: the direction to the viewer and 0
   glm::vec4 sun{0.0F};               ///< unit direction to the sun; size of a shadow map texel (m)
   glm::vec4 viewport{1.0F};          ///< width and height in device px; device px per CSS px; device px per metre where clip w is 1
@@ -22,6 +23,7 @@ struct FrameBlock {
   glm::vec4 skyScale{1.0F};          ///< from metres to its coordinates
   glm::vec4 backgroundTop{1.0F};     ///< sRGB
   glm::vec4 backgroundBottom{1.0F};
+  glm::ivec4 detail{0};              ///< shadow look-ups a pixel; layers of fine noise on surfaces; 0; 0
 };
 
 /// Binding point of the block, in every program that has it.

@@ -17,6 +17,9 @@ constexpr double kExtensionWidthPx = 1.0;
 /// How far the halo reaches beyond the ink (px), and over how much of that it fades.
 constexpr double kHaloReachPx = 2.5;
 constexpr double kHaloSoftnessPx = 2.0;
+/// The same round extension lines, which are many and often lie over the model: less of it, or they would show as white bars.
+constexpr double kExtensionHaloReachPx = 1.5;
+constexpr float kExtensionHaloOpacity = 0.5F;
 /// Dash and gap of an indirect line (px).
 constexpr double kDashPx = 4.0;
 /// A line's arrowheads never take more than this share of it, so that something of the line is left between them.
@@ -118,8 +121,8 @@ class ShapeList {
   void stroke(const Segment2& segment, double widthPx, double dashPx, std::uint32_t rgba) {
     add(segment, widthPx * 0.5, 0.0, dashPx, OverlayShape::Kind::kStroke, rgba);
   }
-  void strokeHalo(const Segment2& segment, double widthPx, std::uint32_t rgba) {
-    add(segment, widthPx * 0.5 + kHaloReachPx, kHaloSoftnessPx, 0.0, OverlayShape::Kind::kStroke, rgba);
+  void strokeHalo(const Segment2& segment, double widthPx, double reachPx, std::uint32_t rgba) {
+    add(segment, widthPx * 0.5 + reachPx, kHaloSoftnessPx, 0.0, OverlayShape::Kind::kStroke, rgba);
   }
   void arrow(const Vec2& tip, const Vec2& towardsTip, const Arrow& arrow, std::uint32_t rgba) {
     add({tip, tip - towardsTip * arrow.lengthPx}, arrow.halfWidthPx, 0.0, 0.0, OverlayShape::Kind::kArrow, rgba);
@@ -149,10 +152,11 @@ bool drawable(const OverlayLine& line) {
 void addHalos(const OverlayLine& line, const Theme& theme, ShapeList& list) {
   const Pieces pieces = piecesOf(line);
   const std::uint32_t halo = pack(theme.halo, line.opacity);
+  const std::uint32_t extensionHalo = pack(theme.halo, line.opacity * kExtensionHaloOpacity);
   for (const std::span<const Vec2> extension : {line.extensionStart, line.extensionEnd}) {
-    eachExtensionPiece(extension, [&](const Segment2& piece) { list.strokeHalo(piece, kExtensionWidthPx, halo); });
+    eachExtensionPiece(extension, [&](const Segment2& piece) { list.strokeHalo(piece, kExtensionWidthPx, kExtensionHaloReachPx, extensionHalo); });
   }
-  for (std::size_t i = 0; i < pieces.strokeCount; ++i) list.strokeHalo(pieces.strokes[i], kLineWidthPx, halo);
+  for (std::size_t i = 0; i < pieces.strokeCount; ++i) list.strokeHalo(pieces.strokes[i], kLineWidthPx, kHaloReachPx, halo);
   list.arrowHalo(line.line.start, -pieces.along, pieces.startArrow, halo);
   list.arrowHalo(line.line.end, pieces.along, pieces.endArrow, halo);
 }

@@ -7,12 +7,12 @@ namespace dimline {
 OverlayRenderer::OverlayRenderer(const GlContext& context)
     : program_(context, {.label = "dimension lines", .vertex = {shaders::overlay_vert}, .fragment = {shaders::overlay_frag}}),
       buffer_(context),
-      vertexArray_(context) {
+      vertexArray_(context),
+      indices_(context) {
   glBindVertexArray(vertexArray_.id());
   glBindBuffer(GL_ARRAY_BUFFER, buffer_.id());
   const auto attribute = [](GLuint location, GLint size, GLenum type, std::size_t offset) {
     glEnableVertexAttribArray(location);
-    glVertexAttribDivisor(location, 1);
     const void* const pointer = bufferOffset(offset);
     if (type == GL_UNSIGNED_INT) {
       glVertexAttribIPointer(location, size, type, sizeof(OverlayShape), pointer);
@@ -36,14 +36,16 @@ Status OverlayRenderer::prepare() {
 
 void OverlayRenderer::draw(std::span<const OverlayShape> shapes, double widthPx, double heightPx, double devicePixelRatio) {
   if (shapes.empty()) return;
-  const std::size_t bytes = shapes.size_bytes();
+  corners_.clear();
+  for (const OverlayShape& shape : shapes) corners_.insert(corners_.end(), 4, shape);
+  const std::size_t bytes = corners_.size() * sizeof(OverlayShape);
   if (bytes > capacity_) {
     capacity_ = bytes * 2;
     glBindBuffer(GL_ARRAY_BUFFER, buffer_.id());
     glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(capacity_), nullptr, GL_STREAM_DRAW);
   }
   glBindBuffer(GL_ARRAY_BUFFER, buffer_.id());
-  glBufferSubData(GL_ARRAY_BUFFER, 0, static_cast<GLsizeiptr>(bytes), shapes.data());
+  glBufferSubData(GL_ARRAY_BUFFER, 0, static_cast<GLsizeiptr>(bytes), corners_.data());
 
   glDisable(GL_DEPTH_TEST);
   glDisable(GL_CULL_FACE);
@@ -52,7 +54,8 @@ void OverlayRenderer::draw(std::span<const OverlayShape> shapes, double widthPx,
   program_.use();
   glUniform3f(viewport_, static_cast<float>(widthPx), static_cast<float>(heightPx), static_cast<float>(devicePixelRatio));
   glBindVertexArray(vertexArray_.id());
-  glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(shapes.size()));
+  indices_.bind(shapes.size());
+  glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(shapes.size() * 6), GL_UNSIGNED_INT, nullptr);
   glBindVertexArray(0);
   glDisable(GL_BLEND);
 }

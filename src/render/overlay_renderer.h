@@ -6,6 +6,7 @@
 #include "core/result.h"
 #include "gpu/gl_objects.h"
 #include "gpu/program.h"
+#include "gpu/quad_indices.h"
 #include "render/overlay.h"
 
 namespace dimline {
@@ -26,6 +27,8 @@ class OverlayRenderer {
   Buffer buffer_;
   std::size_t capacity_ = 0;
   VertexArray vertexArray_;
+  QuadIndices indices_;
+  std::vector<OverlayShape> corners_;   ///< each shape four times
 };
 
 }  // namespace dimline

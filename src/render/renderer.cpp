@@ -40,11 +40,19 @@ Status Renderer::setScene(const Scene& scene) {
   return sceneRenderer_.sceneChanged(scene, scene_);
 }
 
+bool Renderer::shows(const Shown& wanted) const {
+  if (!shown_) return false;
+  // A full picture that is there already is no worse than a reduced one.
+  Shown present = *shown_;
+  if (present.quality == RenderQuality::kFull) present.quality = wanted.quality;
+  return present == wanted;
+}
+
 Status Renderer::draw(const View& view, std::span<const OverlayLine> lines, const RenderOptions& options) {
   if (options.widthPx < 1 || options.heightPx < 1) return okStatus();
   const Shown wanted{glm::mat4(view.viewProjection()), options.widthPx, options.heightPx, options.devicePixelRatio,
                      options.quality, options.ground, options.theme};
-  if (shown_ != wanted) {
+  if (!shows(wanted)) {
     shown_.reset();
     const bool full = options.quality == RenderQuality::kFull;
     const double area = static_cast<double>(options.widthPx) * options.heightPx;

@@ -28,7 +28,8 @@ struct RenderOptions {
 /// Everything that is drawn with GL in one context, and the fields that GL measures. Needs its context current whenever it is called,
 /// abandon() excepted.
 ///
-/// A frame is drawn on demand. When nothing but the lines changed since the last one, the picture under them is used again.
+/// A frame is drawn on demand. When nothing but the lines changed since the last one, the picture under them is used again; a full one also where
+/// a reduced one would do.
 class Renderer {
  public:
   /// An error that a person can read when the driver lacks something.
@@ -65,6 +66,8 @@ class Renderer {
     Theme theme;
     bool operator==(const Shown&) const = default;
   };
+
+  [[nodiscard]] bool shows(const Shown& wanted) const;
 
   std::unique_ptr<GlContext> context_;   // first: outlives everything made with it
   GpuScene scene_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 
 #include "shaders.h"
@@ -17,12 +18,24 @@ constexpr double kSunElevationRad = 0.78;
 /// The ground has faded away at this many diagonals of the model from its middle.
 constexpr double kGroundRadius = 2.2;
 
+/// FrameBlock::detail.
+constexpr int kShadowLookUps = 9;
+constexpr int kShadowLookUpsReduced = 3;
+constexpr int kNoiseLayers = 2;
+
 /// Texture units.
 enum Unit : int { kUnitMaterials = 0, kUnitShadow = 1, kUnitImage = 2, kUnitSky = 3, kUnitGround = 4 };
 
 /// Which of a pattern's shaders draws a group.
-std::size_t variantOf(const GpuScene::Group& group, RenderQuality quality) {
-  return (group.image >= 0 ? 1U : 0U) + (quality == RenderQuality::kReduced ? 2U : 0U);
+std::size_t variantOf(const GpuScene::Group& group) {
+  return group.image >= 0 ? 1 : 0;
+}
+
+/// CSS pixels that a metre has on screen where the box is nearest to the viewer.
+double mostPxPerM(const Bounds& bounds, const View& view) {
+  double least = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < 8; ++i) least = std::min(least, view.metresPerPixelAt(bounds.corner(i)));
+  return 1.0 / least;
 }
 
 Vec3 towardsSun() {
@@ -43,21 +56,20 @@ SceneRenderer::SceneRenderer(const GlContext& context)
       shadow_(context),
       sky_(context),
       edges_(context),
-      background_(context, {.label = "background", .vertex = {shaders::fullscreen_vert}, .fragment = {shaders::frame_glsl, shaders::tone_glsl, shaders::background_frag}}),
+      backdrop_(context, {.label = "backdrop",
+                          .vertex = {shaders::frame_glsl, shaders::backdrop_vert},
+                          .fragment = {shaders::frame_glsl, shaders::tone_glsl, shaders::backdrop_frag}}),
       depth_(context, {.label = "depth", .vertex = {shaders::instance_glsl, shaders::frame_glsl, shaders::depth_vert}, .fragment = {shaders::depth_frag}}),
-      groundProgram_(context, {.label = "ground",
-                               .vertex = {shaders::frame_glsl, shaders::ground_vert},
-                               .fragment = {shaders::frame_glsl, shaders::tone_glsl, shaders::ground_frag}}),
       groundLine_(context, {.label = "ground line",
                             .vertex = {shaders::frame_glsl, shaders::ground_line_vert},
                             .fragment = {shaders::frame_glsl, shaders::ground_line_frag}}) {}
 
 Status SceneRenderer::prepare() {
-  for (Program* program : {&background_, &depth_, &groundProgram_, &groundLine_}) {
+  for (Program* program : {&backdrop_, &depth_, &groundLine_}) {
     if (Status status = program->status(); !status) return status;
     program->bindBlock("Frame", kFrameBlockBinding);
   }
-  groundProgram_.bindSampler("groundLight", kUnitGround);
+  backdrop_.bindSampler("groundLight", kUnitGround);
   if (Status status = shadow_.prepare(); !status) return status;
   if (Status status = edges_.prepare(); !status) return status;
   return sky_.prepare();
@@ -67,17 +79,16 @@ Status SceneRenderer::sceneChanged(const Scene& source, const GpuScene& scene) {
   edges_.setScene(source);
   shadowStale_ = true;
   lightDetail_.reset();
-  return prepareSurfaces(scene, RenderQuality::kFull);
+  return prepareSurfaces(scene);
 }
 
-Status SceneRenderer::prepareSurfaces(const GpuScene& scene, RenderQuality quality) {
+Status SceneRenderer::prepareSurfaces(const GpuScene& scene) {
   // All are started before the first is waited for: drivers compile several at a time.
   for (const GpuScene::Group& group : scene.groups()) {
-    Program& program = surfaces_[static_cast<std::size_t>(group.pattern)].variants[variantOf(group, quality)];
+    Program& program = surfaces_[static_cast<std::size_t>(group.pattern)].variants[variantOf(group)];
     if (program) continue;
     const std::string defines = "#define PATTERN " + std::to_string(static_cast<int>(group.pattern)) + "\n" +
-                                (group.image >= 0 ? "#define HAS_IMAGE 1\n" : "") +
-                                (quality == RenderQuality::kReduced ? "#define REDUCED 1\n" : "");
+                                (group.image >= 0 ? "#define HAS_IMAGE 1\n" : "");
     program = Program(*context_, {.label = "surfaces",
                                   .vertex = {shaders::instance_glsl, shaders::frame_glsl, shaders::surface_vert},
                                   .fragment = {shaders::frame_glsl, shaders::tone_glsl, shaders::light_glsl, shaders::patterns_glsl,
@@ -86,7 +97,7 @@ Status SceneRenderer::prepareSurfaces(const GpuScene& scene, RenderQuality quali
   }
   for (const GpuScene::Group& group : scene.groups()) {
     SurfacePrograms& programs = surfaces_[static_cast<std::size_t>(group.pattern)];
-    const std::size_t variant = variantOf(group, quality);
+    const std::size_t variant = variantOf(group);
     if (programs.ready[variant]) continue;
     Program& program = programs.variants[variant];
     if (Status status = program.status(); !status) return status;
@@ -109,9 +120,10 @@ Status SceneRenderer::updateLight(const GpuScene& scene, RenderQuality quality) 
   return sky_.bake(scene, shadow_, towardsSun(), wanted);
 }
 
-void SceneRenderer::fillFrameBlock(const GpuScene& scene, const View& view, const Theme& theme, bool ground, const PictureTarget& target,
-                                   double devicePixelRatio) {
+void SceneRenderer::fillFrameBlock(const GpuScene& scene, const View& view, const Theme& theme, RenderQuality quality, bool ground,
+                                   const PictureTarget& target, double devicePixelRatio) {
   frame_.worldToClip = glm::mat4(view.viewProjection());
+  frame_.clipToWorld = glm::mat4(glm::inverse(view.viewProjection()));
   frame_.worldToShadow = glm::mat4(shadow_.view().worldToUnit);
   frame_.eye = eyeOf(view);
   frame_.sun = glm::vec4(glm::vec3(towardsSun()), shadow_.view().texelM);
@@ -133,6 +145,7 @@ void SceneRenderer::fillFrameBlock(const GpuScene& scene, const View& view, cons
   frame_.skyScale = glm::vec4(sky_.volumeScale(), 0.0F);
   frame_.backgroundTop = theme.backgroundTop;
   frame_.backgroundBottom = theme.backgroundBottom;
+  frame_.detail = quality == RenderQuality::kFull ? glm::ivec4(kShadowLookUps, kNoiseLayers, 0, 0) : glm::ivec4(kShadowLookUpsReduced, 0, 0, 0);
   glBindBuffer(GL_UNIFORM_BUFFER, frameBuffer_.id());
   glBufferData(GL_UNIFORM_BUFFER, sizeof(frame_), &frame_, GL_STREAM_DRAW);
   glBindBufferBase(GL_UNIFORM_BUFFER, kFrameBlockBinding, frameBuffer_.id());
@@ -140,9 +153,8 @@ void SceneRenderer::fillFrameBlock(const GpuScene& scene, const View& view, cons
 
 Status SceneRenderer::draw(const GpuScene& scene, const View& view, const Theme& theme, RenderQuality quality, bool ground,
                            const PictureTarget& target, double devicePixelRatio) {
-  if (Status status = prepareSurfaces(scene, quality); !status) return status;
   if (Status status = updateLight(scene, quality); !status) return status;
-  fillFrameBlock(scene, view, theme, ground, target, devicePixelRatio);
+  fillFrameBlock(scene, view, theme, quality, ground, target, devicePixelRatio);
   target.bind();
   glDisable(GL_BLEND);
   glDisable(GL_CULL_FACE);
@@ -160,19 +172,15 @@ Status SceneRenderer::draw(const GpuScene& scene, const View& view, const Theme&
 
   glDisable(GL_DEPTH_TEST);
   glBindVertexArray(noVertices_.id());
-  background_.use();
+  backdrop_.use();
   glDrawArrays(GL_TRIANGLES, 0, 3);
-  glEnable(GL_BLEND);
-  glBlendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-  if (frame_.groundFade.x > 0.0F) {
-    groundProgram_.use();
-    glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
-  }
   if (frame_.groundFade.y > 0.0F) {
+    glEnable(GL_BLEND);
+    glBlendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
     groundLine_.use();
     glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+    glDisable(GL_BLEND);
   }
-  glDisable(GL_BLEND);
 
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LEQUAL);
@@ -186,10 +194,10 @@ Status SceneRenderer::draw(const GpuScene& scene, const View& view, const Theme&
   for (std::size_t i = 0; i < scene.groups().size(); ++i) {
     const GpuScene::Group& group = scene.groups()[i];
     if (group.image >= 0) bind(kUnitImage, scene.imageTexture(group.image));
-    surfaces_[static_cast<std::size_t>(group.pattern)].variants[variantOf(group, quality)].use();
+    surfaces_[static_cast<std::size_t>(group.pattern)].variants[variantOf(group)].use();
     scene.drawGroup(i);
   }
-  edges_.draw();
+  edges_.draw(mostPxPerM(scene.bounds(), view));
   glDisable(GL_DEPTH_TEST);
   glActiveTexture(GL_TEXTURE0);
   return okStatus();

@@ -36,17 +36,17 @@ class SceneRenderer {
               double devicePixelRatio);
 
  private:
-  /// The shaders of one pattern; four variants: plain or with an image, full or reduced.
+  /// The shaders of one pattern: plain, and with an image.
   struct SurfacePrograms {
-    std::array<Program, 4> variants;
-    std::array<bool, 4> ready{};
+    std::array<Program, 2> variants;
+    std::array<bool, 2> ready{};
   };
-  /// Compiles what the scene's materials need at that quality and is not there yet.
-  Status prepareSurfaces(const GpuScene& scene, RenderQuality quality);
+  /// Compiles what the scene's materials need and is not there yet.
+  Status prepareSurfaces(const GpuScene& scene);
   /// Shadow and sky light, as fine as `quality` asks; nothing to do when the present ones are fine enough.
   Status updateLight(const GpuScene& scene, RenderQuality quality);
-  void fillFrameBlock(const GpuScene& scene, const View& view, const Theme& theme, bool ground, const PictureTarget& target,
-                      double devicePixelRatio);
+  void fillFrameBlock(const GpuScene& scene, const View& view, const Theme& theme, RenderQuality quality, bool ground,
+                      const PictureTarget& target, double devicePixelRatio);
 
   static constexpr std::size_t kPatterns = 11;
 
@@ -59,7 +59,7 @@ class SceneRenderer {
   EdgeRenderer edges_;
   bool shadowStale_ = true;
   std::optional<LightDetail> lightDetail_;   ///< that of the present scene; nothing: not worked out yet
-  Program background_, depth_, groundProgram_, groundLine_;
+  Program backdrop_, depth_, groundLine_;
   std::array<SurfacePrograms, kPatterns> surfaces_;   ///< by pattern
 };
 

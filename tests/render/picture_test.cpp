@@ -199,6 +199,7 @@ TEST_CASE("the reduced picture is like the full one") {
   const View view = viewOf(scene, 30, 18);
   const Picture full = fixture.draw(view);
   fixture.options.quality = RenderQuality::kReduced;
+  fixture.setScene(scene);
   const Picture reduced = fixture.draw(view);
   CHECK(meanDifference(full, reduced) < 2.5);
   CHECK(meanDifference(full, reduced) > 0);
@@ -315,6 +316,10 @@ TEST_CASE("a picture kept under changing lines is the one that would be drawn an
   const Picture again = fixture.draw(view);
   CHECK(meanDifference(first, withLine) > 0.05);
   CHECK(meanDifference(first, again) == 0);
+  // A full picture stays when a reduced one would do.
+  fixture.options.quality = RenderQuality::kReduced;
+  CHECK(meanDifference(first, fixture.draw(view)) == 0);
+  fixture.options.quality = RenderQuality::kFull;
   // Another camera, another scene, other options: each is noticed.
   CHECK(meanDifference(first, fixture.draw(viewOf(scene, 40, 18))) > 0.5);
   fixture.setScene(boxOnGround());
