@@ -295,14 +295,12 @@ export class DimlineEditor extends Base {
   }
 
   #makeContext() {
-    // The renderer multisamples by itself and copies the finished picture here, often as the first thing of a frame. Chromium empties a
-    // buffer that it need not preserve later than that, at the frame's first draw call, and would take the copy along.
+    // The renderer multisamples by itself and copies the finished picture here.
     const gl = this.#parts.canvas.getContext("webgl2", {
       alpha: false,
       antialias: false,
       depth: false,
       stencil: false,
-      preserveDrawingBuffer: true,
       powerPreference: "high-performance",
     });
     if (!gl) {

@@ -9,7 +9,6 @@ namespace dimline {
 
 namespace {
 
-constexpr std::size_t kQuotedCharacters = 40;
 constexpr std::string_view kReplacement = "\xEF\xBF\xBD";  // U+FFFD
 
 bool isSpace(char c) {
@@ -111,11 +110,11 @@ std::string formatFixed(double value, int decimals) {
   return text;
 }
 
-std::string inQuotes(std::string_view text) {
+std::string inQuotes(std::string_view text, std::size_t mostCharacters) {
   std::string result = "\"";
   std::size_t characters = 0;
   while (!text.empty()) {
-    if (characters++ == kQuotedCharacters) {
+    if (characters++ == mostCharacters) {
       result += "\xE2\x80\xA6";  // an ellipsis
       break;
     }

@@ -21,9 +21,12 @@ std::optional<double> parseDouble(std::string_view text);
 /// The number with so many decimals, `.` as the decimal sign, and never "-0.00".
 std::string formatFixed(double value, int decimals);
 
-/// The text in double quotes, fit for a message: valid UTF-8, control characters and broken bytes replaced, cut after
-/// 40 characters.
-std::string inQuotes(std::string_view text);
+/// How many characters of a text a message shows: enough to recognise a word by, and a path in full, which is of no use in part.
+inline constexpr std::size_t kRecognisable = 40;
+inline constexpr std::size_t kWholePath = 4096;
+
+/// The text in double quotes, fit for a message: valid UTF-8, control characters and broken bytes replaced, cut after so many characters.
+std::string inQuotes(std::string_view text, std::size_t mostCharacters = kRecognisable);
 
 /// "a, b and c"; empty for none.
 std::string joined(std::span<const std::string_view> words, std::string_view lastJoint = "and");

@@ -48,7 +48,7 @@ Result<std::vector<std::byte>> readWhole(const std::filesystem::path& path, cons
 }  // namespace
 
 Result<Model> readGltfFile(const std::string& path) {
-  const auto bytes = readWhole(path, inQuotes(path));
+  const auto bytes = readWhole(path, inQuotes(path, kWholePath));
   if (!bytes) return bytes.error();
   const std::filesystem::path folder = std::filesystem::path(path).parent_path();
   return readGltf(path, *bytes, [&](std::string_view uri) -> Result<std::vector<std::byte>> {

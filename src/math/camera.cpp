@@ -125,7 +125,7 @@ Camera threeQuarterView(const Bounds& bounds, double widthPx, double heightPx) {
   Camera camera;
   camera.target = bounds.empty() ? Vec3(0.0) : bounds.center();
   const double azimuthRad = 0.62;    // from the front (+z) towards the right (+x)
-  const double elevationRad = 0.30;  // low enough to look at a building rather than onto it
+  const double elevationRad = 0.17;  // low enough to look at a building rather than onto it
   camera.eye = camera.target + Vec3(std::sin(azimuthRad) * std::cos(elevationRad), std::sin(elevationRad),
                                     std::cos(azimuthRad) * std::cos(elevationRad));
   return fitToView(camera, bounds, widthPx, heightPx);

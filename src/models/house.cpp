@@ -48,10 +48,10 @@ std::vector<dimline::Parameter> houseParameters() {
 
   p[kWidth] = length("Width", "Width", {13.0, 7, 18, 0.1});
   describe(p[kWidth], "Building", "How wide the house is, from wall to wall along the front.",
-           "@Handle(scope=Footprint, type=linear-contour, orient=right, slip=scope, align=bottom)");
+           "@Handle(scope=Footprint, type=linear-contour, orient=right, slip=scope, align=bottom, occlusion=false)");
   p[kDepth] = length("Depth", "Depth", {8.4, 6, 12, 0.1});
   describe(p[kDepth], "Building", "How deep the house is, from its front wall to its back wall.",
-           "@Handle(scope=Footprint, type=linear-contour, orient=back, slip=scope, align=bottom)");
+           "@Handle(scope=Footprint, type=linear-contour, orient=back, slip=scope, align=bottom, occlusion=false)");
   p[kFloors] = other(kInt, Unit::kNone, "Floors", "Number of floors", {2, 1, 4, 1});
   p[kFloors].noun = "floor";
   describe(p[kFloors], "Building", "How many storeys the house has below its roof.",

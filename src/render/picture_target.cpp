@@ -64,6 +64,8 @@ void PictureTarget::resolve() const {
 void PictureTarget::show(GLuint framebuffer, int width, int height) const {
   glBindFramebuffer(GL_READ_FRAMEBUFFER, finished_ ? finished_.id() : drawn_.id());
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);
+  // Chromium clears a canvas lazily, at a frame's first draw or clear, and a blit is neither: without this the copy would be wiped by what is drawn next.
+  glClear(GL_COLOR_BUFFER_BIT);
   const bool same = width == width_ && height == height_;
   glBlitFramebuffer(0, 0, width_, height_, 0, 0, width, height, GL_COLOR_BUFFER_BIT, same ? GL_NEAREST : GL_LINEAR);
   glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
