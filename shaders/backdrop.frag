@@ -17,7 +17,7 @@ void main() {
     float fade = groundFade.x * (1.0 - smoothstep(0.0625, 1.0, dot(fromMiddle, fromMiddle)));
     vec2 onSquare = (at - groundSquare.xy) / groundSquare.z;
     if (fade > 0.0 && max(abs(onSquare.x), abs(onSquare.y)) < 1.0) {
-      vec2 shares = texture(groundLight, onSquare * 0.5 + 0.5).rg;
+      vec2 shares = textureLod(groundLight, onSquare * 0.5 + 0.5, 0.0).rg;
       // Cool where the sun is missing, neutral where the sky is.
       float sunShade = (1.0 - shares.r) * 0.33;
       float skyShade = (1.0 - shares.g) * 0.40;

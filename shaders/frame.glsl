@@ -15,6 +15,7 @@ layout(std140) uniform Frame {
   vec4 backgroundTop;
   vec4 backgroundBottom;
   ivec4 detail;
+  vec4 shadowDisc[9];
 };
 
 // Unit direction from a point to the viewer.

@@ -39,7 +39,7 @@ void main() {
     // Never sharper than a texel of this texture can show.
     vec2 radius = max((at.z - depthSum / blockers) * perDepth, sharpest);
     float lit = 0.0;
-    for (int i = 0; i < kSamples; ++i) lit += texture(shadowMap, vec3(clamp(at.xy + onDisc(i, kSamples) * radius, 0.0, 1.0), at.z));
+    for (int i = 0; i < kSamples; ++i) lit += textureLod(shadowMap, vec3(clamp(at.xy + onDisc(i, kSamples) * radius, 0.0, 1.0), at.z), 0.0);
     sunShare = lit / float(kSamples);
   }
   // A tent over the coarse map of the sky takes the steps out of it; away from the model, where it is nearly open, a wider one.

@@ -11,19 +11,15 @@ float sunVisibility(vec3 world, vec3 normal) {
   vec3 at = (worldToShadow * vec4(world + normal * (sun.w * 1.5), 1.0)).xyz;
   at.z = min(at.z, 1.0);
   vec2 texel = 1.0 / vec2(textureSize(shadowMap, 0));
-  // Each look-up is filtered over four texels; a few more around it (a Vogel spiral) make the edge soft.
+  // Each look-up is filtered over four texels; a few of them over a disc make the edge soft.
   float lit = 0.0;
-  for (int i = 0; i < detail.x; ++i) {
-    float angle = float(i) * 2.3999632;
-    float r = 2.1 * sqrt((float(i) + 0.5) / float(detail.x));
-    lit += texture(shadowMap, vec3(at.xy + vec2(cos(angle), sin(angle)) * (r * texel), at.z));
-  }
+  for (int i = 0; i < detail.x; ++i) lit += textureLod(shadowMap, vec3(at.xy + shadowDisc[i].xy * texel, at.z), 0.0);
   return lit / float(detail.x);
 }
 
 // Light from the sky and from the ground, less what the model itself hides of them. `flatNormal`: of the surface without its relief.
 vec3 ambientLight(vec3 world, vec3 flatNormal, vec3 normal) {
-  vec4 c = texture(skyVolume, (world + flatNormal * skyOrigin.w - skyOrigin.xyz) * skyScale.xyz);
+  vec4 c = textureLod(skyVolume, (world + flatNormal * skyOrigin.w - skyOrigin.xyz) * skyScale.xyz, 0.0);
   float open = c.a;                                                       // 1: all of the sky
   float skyShare = clamp(0.5 * open + dot(c.rgb - 0.5, normal), 0.0, 1.0);
   // What the ground throws back reaches where the sky does too, by and large.

@@ -15,5 +15,5 @@ float seesSky(int i, vec3 world, float slack) {
   // The border of each tile is empty: what lies outside is looked up there.
   at.xy = clamp(at.xy, vec2(0.008), vec2(0.992));
   vec2 tile = vec2(float(i % 8), float(i / 8));
-  return texture(skyMaps, vec3((tile + at.xy) / vec2(8.0, 4.0), min(at.z - slack, 1.0)));
+  return textureLod(skyMaps, vec3((tile + at.xy) / vec2(8.0, 4.0), min(at.z - slack, 1.0)), 0.0);
 }

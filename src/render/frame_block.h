@@ -1,11 +1,16 @@
 #pragma once
 
+#include <array>
+
 #include <glm/mat4x4.hpp>
 #include <glm/vec4.hpp>
 
 #include "math/camera.h"
 
 namespace dimline {
+
+/// The most shadow look-ups a pixel.
+inline constexpr int kShadowLookUps = 9;
 
 /// What every shader of the picture knows of a frame: the uniform block of shaders/frame.glsl (std140, same order).
 struct FrameBlock {
@@ -24,6 +29,7 @@ struct FrameBlock {
   glm::vec4 backgroundTop{1.0F};     ///< sRGB
   glm::vec4 backgroundBottom{1.0F};
   glm::ivec4 detail{0};              ///< shadow look-ups a pixel; layers of fine noise on surfaces; 0; 0
+  std::array<glm::vec4, kShadowLookUps> shadowDisc{};   ///< where they are, in texels (x, y), evenly over a disc; the others 0
 };
 
 /// Binding point of the block, in every program that has it.

@@ -18,10 +18,12 @@ constexpr double kSunElevationRad = 0.78;
 /// The ground has faded away at this many diagonals of the model from its middle.
 constexpr double kGroundRadius = 2.2;
 
-/// FrameBlock::detail.
-constexpr int kShadowLookUps = 9;
+/// FrameBlock::detail of a full and of a reduced picture.
 constexpr int kShadowLookUpsReduced = 3;
 constexpr int kNoiseLayers = 2;
+
+/// Texels of the shadow map over which its edge is softened, to all sides.
+constexpr double kShadowSoftness = 2.1;
 
 /// Texture units.
 enum Unit : int { kUnitMaterials = 0, kUnitShadow = 1, kUnitImage = 2, kUnitSky = 3, kUnitGround = 4 };
@@ -145,7 +147,15 @@ void SceneRenderer::fillFrameBlock(const GpuScene& scene, const View& view, cons
   frame_.skyScale = glm::vec4(sky_.volumeScale(), 0.0F);
   frame_.backgroundTop = theme.backgroundTop;
   frame_.backgroundBottom = theme.backgroundBottom;
-  frame_.detail = quality == RenderQuality::kFull ? glm::ivec4(kShadowLookUps, kNoiseLayers, 0, 0) : glm::ivec4(kShadowLookUpsReduced, 0, 0, 0);
+  const bool full = quality == RenderQuality::kFull;
+  const int lookUps = full ? kShadowLookUps : kShadowLookUpsReduced;
+  frame_.detail = glm::ivec4(lookUps, full ? kNoiseLayers : 0, 0, 0);
+  for (int i = 0; i < lookUps; ++i) {
+    // A Vogel spiral.
+    const double angle = 2.399963229728653 * i;
+    const double r = kShadowSoftness * std::sqrt((i + 0.5) / lookUps);
+    frame_.shadowDisc[static_cast<std::size_t>(i)] = glm::vec4(r * std::cos(angle), r * std::sin(angle), 0, 0);
+  }
   glBindBuffer(GL_UNIFORM_BUFFER, frameBuffer_.id());
   glBufferData(GL_UNIFORM_BUFFER, sizeof(frame_), &frame_, GL_STREAM_DRAW);
   glBindBufferBase(GL_UNIFORM_BUFFER, kFrameBlockBinding, frameBuffer_.id());
