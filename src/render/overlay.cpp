@@ -118,11 +118,27 @@ class ShapeList {
  public:
   explicit ShapeList(std::vector<OverlayShape>& shapes) : shapes_(shapes) { shapes_.clear(); }
 
+  /// From here on strokes are compared with each other by strokeOnce().
+  void beginLayer() { layer_ = shapes_.size(); }
+  /// A stroke, unless the layer has one there already: neighbours in a chain share an extension line, which must not get darker by that.
+  void strokeOnce(const Segment2& segment, double widthPx, double softnessPx, std::uint32_t rgba) {
+    const glm::vec2 start(segment.start);
+    const glm::vec2 end(segment.end);
+    for (std::size_t i = layer_; i < shapes_.size(); ++i) {
+      OverlayShape& other = shapes_[i];
+      if (near(other.startPx, start) && near(other.endPx, end)) {
+        if ((other.rgba >> 24U) < (rgba >> 24U)) other.rgba = rgba;
+        return;
+      }
+    }
+    add(segment, widthPx * 0.5, softnessPx, 0.0, OverlayShape::Kind::kStroke, rgba);
+  }
+
   void stroke(const Segment2& segment, double widthPx, double dashPx, std::uint32_t rgba) {
     add(segment, widthPx * 0.5, 0.0, dashPx, OverlayShape::Kind::kStroke, rgba);
   }
-  void strokeHalo(const Segment2& segment, double widthPx, double reachPx, std::uint32_t rgba) {
-    add(segment, widthPx * 0.5 + reachPx, kHaloSoftnessPx, 0.0, OverlayShape::Kind::kStroke, rgba);
+  void strokeHalo(const Segment2& segment, double widthPx, std::uint32_t rgba) {
+    add(segment, widthPx * 0.5 + kHaloReachPx, kHaloSoftnessPx, 0.0, OverlayShape::Kind::kStroke, rgba);
   }
   void arrow(const Vec2& tip, const Vec2& towardsTip, const Arrow& arrow, std::uint32_t rgba) {
     add({tip, tip - towardsTip * arrow.lengthPx}, arrow.halfWidthPx, 0.0, 0.0, OverlayShape::Kind::kArrow, rgba);
@@ -142,23 +158,39 @@ class ShapeList {
                        static_cast<float>(softnessPx), static_cast<float>(dashPx), kind, rgba});
   }
 
+  static bool near(const glm::vec2& a, const glm::vec2& b) { return std::abs(a.x - b.x) < 0.5F && std::abs(a.y - b.y) < 0.5F; }
+
   std::vector<OverlayShape>& shapes_;
+  std::size_t layer_ = 0;
 };
 
 bool drawable(const OverlayLine& line) {
   return line.opacity > 0.0F && finite(line.line.start) && finite(line.line.end) && line.line.length() > 1e-3;
 }
 
+/// What draws the layers of one line, from the lowest to the highest.
+void addExtensionHalos(const OverlayLine& line, const Theme& theme, ShapeList& list) {
+  const std::uint32_t halo = pack(theme.halo, line.opacity * kExtensionHaloOpacity);
+  for (const std::span<const Vec2> extension : {line.extensionStart, line.extensionEnd}) {
+    eachExtensionPiece(extension, [&](const Segment2& piece) {
+      list.strokeOnce(piece, kExtensionWidthPx + 2.0 * kExtensionHaloReachPx, kHaloSoftnessPx, halo);
+    });
+  }
+}
+
 void addHalos(const OverlayLine& line, const Theme& theme, ShapeList& list) {
   const Pieces pieces = piecesOf(line);
   const std::uint32_t halo = pack(theme.halo, line.opacity);
-  const std::uint32_t extensionHalo = pack(theme.halo, line.opacity * kExtensionHaloOpacity);
-  for (const std::span<const Vec2> extension : {line.extensionStart, line.extensionEnd}) {
-    eachExtensionPiece(extension, [&](const Segment2& piece) { list.strokeHalo(piece, kExtensionWidthPx, kExtensionHaloReachPx, extensionHalo); });
-  }
-  for (std::size_t i = 0; i < pieces.strokeCount; ++i) list.strokeHalo(pieces.strokes[i], kLineWidthPx, kHaloReachPx, halo);
+  for (std::size_t i = 0; i < pieces.strokeCount; ++i) list.strokeHalo(pieces.strokes[i], kLineWidthPx, halo);
   list.arrowHalo(line.line.start, -pieces.along, pieces.startArrow, halo);
   list.arrowHalo(line.line.end, pieces.along, pieces.endArrow, halo);
+}
+
+void addExtensions(const OverlayLine& line, const Theme& theme, ShapeList& list) {
+  const std::uint32_t ink = pack(theme.extension, line.opacity);
+  for (const std::span<const Vec2> extension : {line.extensionStart, line.extensionEnd}) {
+    eachExtensionPiece(extension, [&](const Segment2& piece) { list.strokeOnce(piece, kExtensionWidthPx, 0.0, ink); });
+  }
 }
 
 void addInk(const OverlayLine& line, const Theme& theme, ShapeList& list) {
@@ -166,10 +198,6 @@ void addInk(const OverlayLine& line, const Theme& theme, ShapeList& list) {
   const bool lit = line.hovered || line.active;
   const std::uint32_t ink = pack(lit ? theme.lineHovered : theme.line, line.opacity);
   const std::uint32_t handle = pack(lit ? theme.handleHovered : theme.handle, line.opacity);
-  const std::uint32_t extensionInk = pack(theme.extension, line.opacity);
-  for (const std::span<const Vec2> extension : {line.extensionStart, line.extensionEnd}) {
-    eachExtensionPiece(extension, [&](const Segment2& piece) { list.stroke(piece, kExtensionWidthPx, 0.0, extensionInk); });
-  }
   for (std::size_t i = 0; i < pieces.strokeCount; ++i) {
     list.stroke(pieces.strokes[i], lit ? kLineWidthHoveredPx : kLineWidthPx, line.indirect ? kDashPx : 0.0, ink);
   }
@@ -181,11 +209,11 @@ void addInk(const OverlayLine& line, const Theme& theme, ShapeList& list) {
 
 void buildOverlay(std::span<const OverlayLine> lines, const Theme& theme, std::vector<OverlayShape>& shapes) {
   ShapeList list(shapes);
-  for (const OverlayLine& line : lines) {
-    if (drawable(line)) addHalos(line, theme, list);
-  }
-  for (const OverlayLine& line : lines) {
-    if (drawable(line)) addInk(line, theme, list);
+  for (const auto addLayer : {addExtensionHalos, addHalos, addExtensions, addInk}) {
+    list.beginLayer();
+    for (const OverlayLine& line : lines) {
+      if (drawable(line)) addLayer(line, theme, list);
+    }
   }
 }
 

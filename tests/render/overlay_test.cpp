@@ -119,6 +119,22 @@ TEST_CASE("an extension line shorter than its gap is left out") {
   CHECK(withInk(build(line), 3).empty());
 }
 
+TEST_CASE("an extension line that two lines share is drawn once, as strong as the stronger of them") {
+  const std::vector<Vec2> shared{{200, 150}, {200, 50}};
+  const std::vector<Vec2> own{{300, 150}, {300, 50}};
+  std::vector<OverlayLine> lines{lineFrom({100, 50}, {200, 50}), lineFrom({200, 50}, {300, 50})};
+  lines[0].extensionEnd = shared;
+  lines[0].opacity = 0.25F;
+  lines[1].extensionStart = shared;
+  lines[1].extensionEnd = own;
+  std::vector<OverlayShape> shapes;
+  buildOverlay(lines, testTheme(), shapes);
+  const std::vector<OverlayShape> extensions = withInk(shapes, 3);
+  REQUIRE(extensions.size() == 2);
+  CHECK(opacityOf(extensions[0]) == 255);
+  CHECK(opacityOf(extensions[1]) == 255);
+}
+
 TEST_CASE("an indirect line is stippled") {
   OverlayLine line = lineFrom({0, 0}, {200, 0});
   CHECK(withInk(build(line), 1)[0].dashPx == 0.0F);
