@@ -19,6 +19,6 @@ void main() {
   vec3 n = normal.xyz / scaleSquared;
   worldNormal = vec3(dot(instanceRowX.xyz, n), dot(instanceRowY.xyz, n), dot(instanceRowZ.xyz, n));
   surfaceUv = uv;
-  surfaceMaterial = texelFetch(materials, ivec2(int(material), 0), 0);
+  surfaceMaterial = texelFetch(materials, ivec2(int(material) & 255, int(material) >> 8), 0);
   gl_Position = worldToClip * vec4(world, 1.0);
 }

@@ -15,6 +15,27 @@ namespace {
 /// software rasterizers treat every instance as one.
 constexpr std::size_t kInstancingTriangles = 20000;
 
+constexpr std::size_t kMaterialsPerRow = 256;
+
+/// The image, or every second, third … pixel of it if it is larger than the driver takes; one white pixel if it has none.
+Image fitting(const Image& image, std::uint32_t limit) {
+  const std::size_t pixels = static_cast<std::size_t>(image.width) * image.height;
+  if (pixels == 0 || image.rgba.size() < pixels * 4) return {1, 1, {255, 255, 255, 255}};
+  const std::uint32_t step = (std::max(image.width, image.height) + limit - 1) / limit;
+  if (step <= 1) return image;
+  Image smaller{image.width / step, image.height / step, {}};
+  smaller.width = std::max(smaller.width, 1U);
+  smaller.height = std::max(smaller.height, 1U);
+  for (std::uint32_t y = 0; y < smaller.height; ++y) {
+    for (std::uint32_t x = 0; x < smaller.width; ++x) {
+      const std::size_t from = (static_cast<std::size_t>(y * step) * image.width + x * step) * 4;
+      smaller.rgba.insert(smaller.rgba.end(), image.rgba.begin() + static_cast<std::ptrdiff_t>(from),
+                          image.rgba.begin() + static_cast<std::ptrdiff_t>(from + 4));
+    }
+  }
+  return smaller;
+}
+
 /// How many vertices are looked back over for one that can be used again.
 constexpr std::size_t kVertexWindow = 8;
 
@@ -211,11 +232,12 @@ void GpuScene::uploadMaterials(const Scene& scene) {
   std::vector<glm::vec4> texels;
   texels.reserve(scene.materials.size());
   for (const Material& material : scene.materials) texels.emplace_back(material.color, material.roughness);
-  if (texels.empty()) texels.emplace_back(0.8F);
+  const std::size_t rows = std::max<std::size_t>(1, (texels.size() + kMaterialsPerRow - 1) / kMaterialsPerRow);
+  texels.resize(rows * kMaterialsPerRow, glm::vec4(0.8F));
   materialTexture_ = Texture(*context_);
   glBindTexture(GL_TEXTURE_2D, materialTexture_.id());
-  glTexStorage2D(GL_TEXTURE_2D, 1, GL_RGBA32F, static_cast<GLsizei>(texels.size()), 1);
-  glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, static_cast<GLsizei>(texels.size()), 1, GL_RGBA, GL_FLOAT, texels.data());
+  glTexStorage2D(GL_TEXTURE_2D, 1, GL_RGBA32F, kMaterialsPerRow, static_cast<GLsizei>(rows));
+  glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, kMaterialsPerRow, static_cast<GLsizei>(rows), GL_RGBA, GL_FLOAT, texels.data());
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
 }
@@ -227,7 +249,7 @@ void GpuScene::uploadImages(const Scene& scene) {
   images_.resize(scene.images.size());
   for (std::size_t i = 0; i < scene.images.size(); ++i) {
     if (images_[i] && unchanged(i)) continue;
-    const Image& image = scene.images[i];
+    const Image image = fitting(scene.images[i], static_cast<std::uint32_t>(context_->maxTextureSize()));
     const auto width = static_cast<GLsizei>(image.width);
     const auto height = static_cast<GLsizei>(image.height);
     int levels = 1;

@@ -44,9 +44,10 @@ class GpuScene {
   /// One group's triangles, with all attributes.
   void drawGroup(std::size_t group) const;
 
-  /// RGBA32F, one texel a material: linear base colour and roughness.
+  /// RGBA32F, one texel a material: linear base colour and roughness. Rows of 256, as surface.vert has it.
   [[nodiscard]] GLuint materialTexture() const { return materialTexture_.id(); }
-  /// A texture of Scene::images, sRGB with mipmaps, repeating; its top row is at v = 0.
+  /// A texture of Scene::images, sRGB with mipmaps, repeating; its top row is at v = 0. What the driver cannot hold is coarser; what has no
+  /// pixels is white.
   [[nodiscard]] GLuint imageTexture(int image) const { return images_[static_cast<std::size_t>(image)].id(); }
 
  private:

@@ -79,3 +79,16 @@ TEST_CASE("a scene's triangles are grouped by what shader they want, and can be 
   gpuScene.drawPositions();
   CHECK(glGetError() == GL_NO_ERROR);
 }
+
+TEST_CASE("images that the driver cannot hold, or that have no pixels, are no error") {
+  const test::GlTestContext context;
+  GpuScene gpuScene(*context.gl);
+  Scene scene = test::villageScene();
+  const auto wide = static_cast<std::uint32_t>(context.gl->maxTextureSize()) + 1;
+  scene.images.push_back({wide, 2, std::vector<std::uint8_t>(std::size_t{wide} * 2 * 4, 128)});
+  scene.images.push_back({});
+  scene.images.push_back({4, 4, {1, 2, 3}});
+  gpuScene.upload(scene);
+  CHECK(glGetError() == GL_NO_ERROR);
+  for (int i = 0; i < 3; ++i) CHECK(glIsTexture(gpuScene.imageTexture(i)) == GL_TRUE);
+}

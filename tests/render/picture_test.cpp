@@ -290,6 +290,19 @@ TEST_CASE("an image is shown the right way up") {
   CHECK(lower.b > lower.r + 60);
 }
 
+TEST_CASE("a scene may have thousands of materials") {
+  PictureFixture fixture;
+  Scene scene = boxOnGround();
+  scene.materials.resize(3000);
+  scene.materials[2999].color = {0.7F, 0.02F, 0.02F};
+  for (std::uint16_t& material : scene.meshes[0].materials) material = 2999;
+  fixture.setScene(scene);
+  const View view = viewOf(scene, 30, 18, 100);
+  const Vec2 wall = view.toScreen(Vec3(0, 2, 3));
+  const glm::vec4 color = fixture.draw(view).at(static_cast<int>(wall.x), static_cast<int>(wall.y));
+  CHECK(color.r > color.g + 60);
+}
+
 TEST_CASE("odd views are drawn without complaint") {
   PictureFixture fixture;
   const Scene scene = test::villageScene();
