@@ -237,6 +237,28 @@ public:
   void sweep(const Ring& section, std::span<const Vec3> path, const SweepOptions& options);
   void sweep(const Ring& section, std::span<const Vec3> path) { sweep(section, path, SweepOptions()); }
 
+  /// A skin over ribs, as planks lie over the frames of a ship: each rib is a closed ring of points in the scope, all
+  /// ribs have as many points, and neighbouring ribs are joined point by point. The first and the last rib are closed
+  /// by flat faces, so each must lie in a plane unless it encloses nothing. Points that fall together are welded: ribs
+  /// may end in a line, in a point, or fold together over a stretch. Ribs may run either way.
+  ///
+  ///       .--.   .---.   .--.         v runs from rib to rib, u along a rib; both are
+  ///      /   /  /   /   /   |         counted where they are longest, so that a
+  ///      '--'   '--'    '---'         pattern's lines follow the ribs' points
+  ///
+  struct SkinOptions {
+    double creaseRad = 0.7;                  ///< faces that meet at more than this are hard
+    std::span<const MaterialId> materials{};  ///< one for each strip between two neighbouring points; else the current one
+  };
+  void loft(std::span<const std::vector<Vec3>> ribs, const SkinOptions& options);
+  void loft(std::span<const std::vector<Vec3>> ribs) { loft(ribs, SkinOptions()); }
+
+  /// A skin of some thickness, like cloth or boarding: rows of as many points each, in the scope. Seen from its front,
+  /// a row runs to the right and the next one lies above it; the thickness goes to the back. Smooth on both sides.
+  /// Neighbouring points, rows or columns may fall together.
+  void sheet(std::span<const std::vector<Vec3>> rows, double thicknessM, const SkinOptions& options);
+  void sheet(std::span<const std::vector<Vec3>> rows, double thicknessM) { sheet(rows, thicknessM, SkinOptions()); }
+
   /// One part made by hand out of flat convex faces, each a ring of points in the scope, counter-clockwise seen from
   /// outside. Points that fall together are welded, and corners of a face that do are left out.
   class Solid {

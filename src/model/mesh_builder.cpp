@@ -1,5 +1,6 @@
 #include "model/mesh_builder.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace dimline {
@@ -21,6 +22,7 @@ constexpr double kCellWelds = 16;
 
 void MeshBuilder::beginPart() {
   firstPoint_ = static_cast<std::uint32_t>(mesh_.positions.size());
+  firstTriangle_ = mesh_.triangles.size();
   points_.clear();
   cells_.clear();
   welded_ = 0;
@@ -83,6 +85,60 @@ void MeshBuilder::triangle(const Corner& a, const Corner& b, const Corner& c, st
 void MeshBuilder::quad(const Corner& a, const Corner& b, const Corner& c, const Corner& d, std::uint16_t material) {
   triangle(a, b, c, material);
   triangle(a, c, d, material);
+}
+
+void MeshBuilder::smooth(double creaseRad) {
+  const std::size_t count = mesh_.triangles.size() - firstTriangle_;
+  const double least = std::cos(creaseRad);
+  // Corner 3 t + k is corner k of the part's triangle t.
+  std::vector<Vec3> faces(count), pulls(3 * count);
+  std::vector<std::uint32_t> firstAt(points_.size() + 1, 0), around(3 * count);
+  const auto pointOf = [&](std::size_t corner) {
+    return mesh_.triangles[firstTriangle_ + corner / 3][corner % 3] - firstPoint_;
+  };
+  for (std::size_t t = 0; t < count; ++t) {
+    const Vec3 p[] = {points_[pointOf(3 * t)], points_[pointOf(3 * t + 1)], points_[pointOf(3 * t + 2)]};
+    const Vec3 normal = glm::cross(p[1] - p[0], p[2] - p[0]);
+    const double area = glm::length(normal);
+    faces[t] = area > 0 ? normal / area : Vec3(mesh_.normals[firstTriangle_ + t][0]);
+    for (std::size_t k = 0; k < 3; ++k) {
+      // Weights after Max (1999): exact on a sphere, however it is cut into triangles.
+      const Vec3 a = p[(k + 1) % 3] - p[k], b = p[(k + 2) % 3] - p[k];
+      pulls[3 * t + k] = faces[t] * (area / std::max(glm::dot(a, a) * glm::dot(b, b), 1e-30));
+      ++firstAt[pointOf(3 * t + k) + 1];
+    }
+  }
+  for (std::size_t i = 1; i < firstAt.size(); ++i) firstAt[i] += firstAt[i - 1];
+  std::vector<std::uint32_t> next(firstAt.begin(), firstAt.end() - 1);
+  for (std::size_t corner = 0; corner < around.size(); ++corner) {
+    around[next[pointOf(corner)]++] = static_cast<std::uint32_t>(corner);
+  }
+  const auto write = [&](std::size_t corner, const Vec3& sum) {
+    const double length = glm::length(sum);
+    mesh_.normals[firstTriangle_ + corner / 3][corner % 3] = glm::vec3(length > 0 ? sum / length : faces[corner / 3]);
+  };
+  // Where all faces around a point are within half the crease of one of them, they all meet at less than the crease.
+  const double half = std::cos(creaseRad * 0.5);
+  for (std::size_t point = 0; point + 1 < firstAt.size(); ++point) {
+    const std::span corners(around.begin() + firstAt[point], around.begin() + firstAt[point + 1]);
+    if (corners.empty()) continue;
+    Vec3 all(0.0);
+    bool one = true;
+    for (const std::uint32_t corner : corners) {
+      all += pulls[corner];
+      one = one && glm::dot(faces[corner / 3], faces[corners[0] / 3]) >= half;
+    }
+    for (const std::uint32_t corner : corners) {
+      Vec3 sum = all;
+      if (!one) {
+        sum = Vec3(0.0);
+        for (const std::uint32_t other : corners) {
+          if (glm::dot(faces[other / 3], faces[corner / 3]) >= least) sum += pulls[other];
+        }
+      }
+      write(corner, sum);
+    }
+  }
 }
 
 PlaneAxes planeAxes(const Vec3& normal) {

@@ -45,9 +45,14 @@ public:
   /// A convex quadrilateral as two triangles, or one where two neighbouring corners are one point.
   void quad(const Corner& a, const Corner& b, const Corner& c, const Corner& d, std::uint16_t material);
 
+  /// Shades the current part as one curved surface: the normals at each point become the mean of those faces around it
+  /// that meet the corner's own face at no more than `creaseRad`. Materials and uv stay.
+  void smooth(double creaseRad);
+
 private:
   Mesh& mesh_;
   std::uint32_t firstPoint_ = 0;
+  std::size_t firstTriangle_ = 0;  // of the current part
   std::vector<Vec3> points_;  // of the current part
   std::vector<std::uint32_t> ring_;
   std::unordered_multimap<std::uint64_t, std::uint32_t> cells_;
