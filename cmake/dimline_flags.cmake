@@ -11,7 +11,9 @@ if(NOT EMSCRIPTEN)
   find_program(DIMLINE_CCACHE ccache)
   mark_as_advanced(DIMLINE_CCACHE)
   if(DIMLINE_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
-    set(CMAKE_CXX_COMPILER_LAUNCHER "${DIMLINE_CCACHE}")
+    # What ccache has to be told to cache files that use precompiled headers.
+    set(CMAKE_CXX_COMPILER_LAUNCHER "${CMAKE_COMMAND}" -E env CCACHE_SLOPPINESS=pch_defines,time_macros "${DIMLINE_CCACHE}")
+    add_compile_options($<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>)
   endif()
 endif()
 
