@@ -59,6 +59,9 @@ inline constexpr double kArcRadiusShare = 0.6;
 inline constexpr double kArcMinRadiusPx = 36.0;
 inline constexpr double kArcMaxRadiusPx = 140.0;
 
+/// px. Lines of features that share a corner touch there, and by rounding reach past each other a little, which nobody sees: they cross when they do by more.
+inline constexpr double kCrossingPx = 0.5;
+
 // --- Placement: the score of section 4.2 ------------------------------------------------------------------------------
 
 inline constexpr double kScoreDistance = -1.0;                           ///< lambda 1, per px
@@ -84,6 +87,10 @@ inline constexpr double kScoreCrossesExtension = -5.0 * kHandleSpacingPx;
 /// Beyond the paper: an extension line through a label that has landed makes it hard to read, which a crossing of two thin lines does
 /// not; such a place is taken only when it is much nearer than any other.
 inline constexpr double kScoreCoversLabel = -6.0 * kHandleSpacingPx;
+
+/// Beyond the paper: a place that brings a line within handleSpacing of where a later one stood in the last frame pushes that one away, and what comes after
+/// it as well; it costs this much. More: short lines wander far out to leave long ones alone. Less: more changes come in cascades.
+inline constexpr double kScoreCrowdsAhead = -2.0 * kHandleSpacingPx;
 inline constexpr double kScorePlane = 3.0 * kHandleSpacingPx;            ///< lambda 6
 
 // --- Geometry ---------------------------------------------------------------------------------------------------------

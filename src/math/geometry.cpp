@@ -8,14 +8,17 @@ double cross(const Vec2& a, const Vec2& b) { return a.x * b.y - a.y * b.x; }
 
 }  // namespace
 
-bool segmentsCross(const Segment2& a, const Segment2& b) {
+bool segmentsCross(const Segment2& a, const Segment2& b, double byPx) {
   const Vec2 da = a.end - a.start;
   const Vec2 db = b.end - b.start;
+  // Each is the distance of an end from the other's carrier, times that one's length.
   const double a0 = cross(db, a.start - b.start);
   const double a1 = cross(db, a.end - b.start);
   const double b0 = cross(da, b.start - a.start);
   const double b1 = cross(da, b.end - a.start);
-  return ((a0 > 0 && a1 < 0) || (a0 < 0 && a1 > 0)) && ((b0 > 0 && b1 < 0) || (b0 < 0 && b1 > 0));
+  if (!(a0 * a1 < 0 && b0 * b1 < 0)) return false;
+  return byPx <= 0 || (std::min(std::abs(a0), std::abs(a1)) > byPx * glm::length(db) &&
+                       std::min(std::abs(b0), std::abs(b1)) > byPx * glm::length(da));
 }
 
 double distanceBetween(const Vec2& p, const Segment2& s) {
@@ -31,23 +34,25 @@ double distanceBetween(const Segment2& a, const Segment2& b) {
                    distanceBetween(b.end, a)});
 }
 
-bool meets(const Segment2& s, const Box2& box) {
+std::optional<Segment2> clipped(const Segment2& s, const Box2& box) {
   // Liang-Barsky: the part of the segment inside the box's four half-planes.
   double enter = 0.0;
   double leave = 1.0;
   const Vec2 d = s.end - s.start;
   for (int axis = 0; axis < 2; ++axis) {
     if (d[axis] == 0.0) {
-      if (s.start[axis] < box.min[axis] || s.start[axis] > box.max[axis]) return false;
+      if (s.start[axis] < box.min[axis] || s.start[axis] > box.max[axis]) return std::nullopt;
       continue;
     }
-    double t0 = (box.min[axis] - s.start[axis]) / d[axis];
-    double t1 = (box.max[axis] - s.start[axis]) / d[axis];
-    if (t0 > t1) std::swap(t0, t1);
-    enter = std::max(enter, t0);
-    leave = std::min(leave, t1);
+    const double t0 = (box.min[axis] - s.start[axis]) / d[axis];
+    const double t1 = (box.max[axis] - s.start[axis]) / d[axis];
+    enter = std::max(enter, std::min(t0, t1));
+    leave = std::min(leave, std::max(t0, t1));
   }
-  return enter <= leave;
+  if (enter > leave) return std::nullopt;
+  return Segment2{s.start + d * enter, s.start + d * leave};
 }
+
+bool meets(const Segment2& s, const Box2& box) { return clipped(s, box).has_value(); }
 
 }  // namespace dimline

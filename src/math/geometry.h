@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <optional>
 
 #include <glm/geometric.hpp>
 
@@ -91,8 +92,12 @@ struct Box2 {
   }
 };
 
-/// Whether two segments on screen cross at an inner point of both (touching ends do not count, nor do overlaps on one line).
-bool segmentsCross(const Segment2& a, const Segment2& b);
+/// Whether two segments on screen cross at an inner point of both (touching ends do not count, nor do overlaps on one line), and each
+/// reaches past the other by more than `byPx` at both ends, at right angles to it.
+bool segmentsCross(const Segment2& a, const Segment2& b, double byPx = 0);
+
+/// The part of a segment within a box, its border included; nothing when it misses the box.
+std::optional<Segment2> clipped(const Segment2& s, const Box2& box);
 
 /// Distance between two segments on screen (px): 0 where they meet.
 double distanceBetween(const Segment2& a, const Segment2& b);

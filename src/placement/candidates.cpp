@@ -117,6 +117,13 @@ void forEachSlip(const CandidateContext& context, const UsableBaseLine& base, Us
 
 }  // namespace
 
+void BaseLineTally::add(const BaseLineTally& other) {
+  occluded += other.occluded;
+  outOfView += other.outOfView;
+  foreshortened += other.foreshortened;
+  tooShort += other.tooShort;
+}
+
 double leastLengthPx(const Annotation& annotation) { return std::max(kMinLineLengthPx, annotation.minLengthPx); }
 
 void gatherBaseLines(const Annotation& annotation, const Scope& scope, std::size_t scopeNumber, const View& view,
@@ -159,7 +166,7 @@ void gatherGuideCandidates(const CandidateContext& context, const UsableBaseLine
   forEachSlip(context, base, [&](const SlipPlane& plane, int direction) {
     for (std::size_t i = 0; i < context.guides.size(); ++i) {
       const Guide& guide = context.guides[i];
-      if (!liesOn(guide, plane.plane, along, context.modelSizeM)) continue;
+      if (!liesOn(guide, plane.plane, along, context.toleranceM)) continue;
       Candidate candidate = unplaced(base, plane, direction, context);
       const double offsetM = glm::dot(guide.point - candidate.foot.start, candidate.outward);
       if (!(offsetM > 0) || offsetM < leastRoomM(candidate)) continue;

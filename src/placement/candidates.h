@@ -44,6 +44,8 @@ struct BaseLineTally {
   int outOfView = 0;        ///< an end nearer than the near plane, or nothing of it in the viewport
   int foreshortened = 0;    ///< points at the viewer
   int tooShort = 0;         ///< shorter on screen than the least length
+
+  void add(const BaseLineTally& other);
 };
 
 /// What the candidates of one parameter are made from and judged by in one frame.
@@ -56,7 +58,7 @@ struct CandidateContext {
   const ObjectPlanesInFrame& objectPlanes;
   bool viewMoved = false;              ///< since the last frame
   const History& history;              ///< the parameter's choices before, for the term Damp and hysteresis
-  double modelSizeM = 0;
+  double toleranceM = 0;               ///< kSamePlaneDistance of the model's size
   std::vector<SlipPlane>& planes;      ///< memory for one base line's planes
 };
 

@@ -14,11 +14,21 @@ int Guides::add(const Plane& plane, const Segment& line) {
   return static_cast<int>(count_++);
 }
 
-bool liesOn(const Guide& guide, const Plane& plane, const Vec3& alongUnit, double modelSizeM) {
+int Guides::through(const Segment& line, const Plane& plane, double toleranceM) const {
+  const Vec3 along = glm::normalize(line.end - line.start);
+  for (std::size_t i = 0; i < count_; ++i) {
+    if (!liesOn(guides_[i], plane, along, toleranceM)) continue;
+    const Vec3 aside = line.start - guides_[i].point - guides_[i].along * guides_[i].metresAt(line.start);
+    if (glm::length(aside) <= toleranceM) return static_cast<int>(i);
+  }
+  return -1;
+}
+
+bool liesOn(const Guide& guide, const Plane& plane, const Vec3& alongUnit, double toleranceM) {
   // For unit vectors the cross product's length is the sine of the angle, whichever way round they run.
   if (glm::length(glm::cross(guide.along, alongUnit)) > kSamePlaneAngleRad) return false;
   if (glm::length(glm::cross(guide.plane.normal, plane.normal)) > kSamePlaneAngleRad) return false;
-  return std::abs(glm::dot(guide.point - plane.point, plane.normal)) <= kSamePlaneDistance * modelSizeM;
+  return std::abs(glm::dot(guide.point - plane.point, plane.normal)) <= toleranceM;
 }
 
 }  // namespace dimline

@@ -24,6 +24,8 @@ class Guides {
   void clear() { count_ = 0; }
   /// A new guide through a line on a plane, with nothing on it; returns its number.
   int add(const Plane& plane, const Segment& line);
+  /// The number of the guide that a line on a plane lies on, -1 when there is none.
+  [[nodiscard]] int through(const Segment& line, const Plane& plane, double toleranceM) const;
   [[nodiscard]] std::size_t size() const { return count_; }
   [[nodiscard]] Guide& operator[](std::size_t i) { return guides_[i]; }
   [[nodiscard]] const Guide& operator[](std::size_t i) const { return guides_[i]; }
@@ -33,7 +35,8 @@ class Guides {
   std::size_t count_ = 0;
 };
 
-/// Whether a guide lies on a plane and runs along a direction, either way round, within kSamePlaneAngleRad and kSamePlaneDistance of the model's size.
-bool liesOn(const Guide& guide, const Plane& plane, const Vec3& alongUnit, double modelSizeM);
+/// Whether a guide lies on a plane and runs along a direction, either way round, within kSamePlaneAngleRad
+/// and `toleranceM` (m), which is kSamePlaneDistance of the model's size.
+bool liesOn(const Guide& guide, const Plane& plane, const Vec3& alongUnit, double toleranceM);
 
 }  // namespace dimline

@@ -22,25 +22,6 @@ double halfExtent(const Vec2& halfSize, const Vec2& normal) {
 
 Box2 boxAround(const Vec2& center, const Vec2& size) { return {center - size * 0.5, center + size * 0.5}; }
 
-/// The part of a segment within a box, or nothing.
-std::optional<Segment2> clipped(const Segment2& s, const Box2& box) {
-  double enter = 0.0;
-  double leave = 1.0;
-  const Vec2 d = s.end - s.start;
-  for (int axis = 0; axis < 2; ++axis) {
-    if (d[axis] == 0.0) {
-      if (s.start[axis] < box.min[axis] || s.start[axis] > box.max[axis]) return std::nullopt;
-      continue;
-    }
-    const double t0 = (box.min[axis] - s.start[axis]) / d[axis];
-    const double t1 = (box.max[axis] - s.start[axis]) / d[axis];
-    enter = std::max(enter, std::min(t0, t1));
-    leave = std::min(leave, std::max(t0, t1));
-  }
-  if (enter > leave) return std::nullopt;
-  return Segment2{s.start + d * enter, s.start + d * leave};
-}
-
 /// Tries places in order and keeps the first that has room.
 class Search {
  public:

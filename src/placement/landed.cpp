@@ -19,6 +19,20 @@ void Landed::add(const PlacedLine& line, int guide) {
   if (line.label) labels_.push_back(*line.label);
 }
 
+void Landed::add(const Segment2& base, const Segment2& foot, const Segment2& line) {
+  lines_.push_back({line, -1});
+  extensions_.push_back({foot.start, line.start});
+  extensions_.push_back({foot.end, line.end});
+  if (foot.start != base.start) extensions_.push_back({base.start, foot.start});
+  if (foot.end != base.end) extensions_.push_back({base.end, foot.end});
+}
+
+void Landed::backTo(const Mark& mark) {
+  lines_.resize(mark.lines);
+  extensions_.resize(mark.extensions);
+  labels_.resize(mark.labels);
+}
+
 void Landed::add(const PlacedHandle& handle, const View& view) {
   labels_.push_back(handle.box);
   if (!handle.arc) {
@@ -45,8 +59,8 @@ Landed::Crossings Landed::crossings(const Segment2& base, const Segment2& foot, 
   Crossings found;
   for (std::size_t i = 0; i < parts.size(); ++i) {
     const Segment2& part = parts[i];
-    const bool overLine = std::ranges::any_of(lines_, [&](const Line& l) { return segmentsCross(part, l.segment); });
-    const bool overExtension = std::ranges::any_of(extensions_, [&](const Segment2& e) { return segmentsCross(part, e); });
+    const bool overLine = std::ranges::any_of(lines_, [&](const Line& l) { return segmentsCross(part, l.segment, kCrossingPx); });
+    const bool overExtension = std::ranges::any_of(extensions_, [&](const Segment2& e) { return segmentsCross(part, e, kCrossingPx); });
     found.lines = found.lines || overLine || overExtension;
     found.extensions = found.extensions || (i == 0 ? overExtension : overLine);
     found.labels = found.labels || std::ranges::any_of(labels_, [&](const Box2& label) { return meets(part, label); });
@@ -54,10 +68,14 @@ Landed::Crossings Landed::crossings(const Segment2& base, const Segment2& foot, 
   return found;
 }
 
+bool Landed::crowds(const Segment2& line) const {
+  return std::ranges::any_of(lines_, [&](const Line& l) { return distanceBetween(l.segment, line) < kHandleSpacingPx; });
+}
+
 bool Landed::hasRoom(const Segment2& line, int guide) const {
   return std::ranges::none_of(lines_,
                               [&](const Line& l) { return l.guide != guide && distanceBetween(l.segment, line) < kHandleSpacingPx; }) &&
-         std::ranges::none_of(extensions_, [&](const Segment2& e) { return segmentsCross(e, line); }) &&
+         std::ranges::none_of(extensions_, [&](const Segment2& e) { return segmentsCross(e, line, kCrossingPx); }) &&
          std::ranges::none_of(labels_, [&](const Box2& label) { return meets(line, label.grown(kLabelClearancePx)); });
 }
 

@@ -13,8 +13,17 @@ class Landed {
   void clear();
   /// `guide`: the number of the guide that the line lies on or has made; -1 when it has none.
   void add(const PlacedLine& line, int guide);
+  /// A line on screen with its base line and its foot on the plane, without a label.
+  void add(const Segment2& base, const Segment2& foot, const Segment2& line);
   /// A pill, or an arc with its label.
   void add(const PlacedHandle& handle, const View& view);
+
+  /// How much there is, and taking back what was added since.
+  struct Mark {
+    std::size_t lines = 0, extensions = 0, labels = 0;
+  };
+  [[nodiscard]] Mark mark() const { return {lines_.size(), extensions_.size(), labels_.size()}; }
+  void backTo(const Mark& mark);
 
   /// What a line, or one of its extension lines from the base line by way of its foot on the plane, runs across of what has landed.
   struct Crossings {
@@ -23,6 +32,9 @@ class Landed {
     bool labels = false;
   };
   [[nodiscard]] Crossings crossings(const Segment2& base, const Segment2& foot, const Segment2& line) const;
+
+  /// Whether a line comes nearer than handleSpacing to one that has landed.
+  [[nodiscard]] bool crowds(const Segment2& line) const;
 
   /// Whether a line on a guide keeps handleSpacing from the lines of other guides and kLabelClearancePx from all labels, and crosses no extension line.
   [[nodiscard]] bool hasRoom(const Segment2& line, int guide) const;

@@ -114,10 +114,10 @@ TEST_CASE("a guide lies on its plane and every plane through it, within the tole
   Guides guides;
   const int number = guides.add({{0, 0, 1}, {0, 0, 1}}, {{0, 2, 1}, {3, 2, 1}});
   const Guide& guide = guides[static_cast<std::size_t>(number)];
-  CHECK(liesOn(guide, {{5, 5, 1}, {0, 0, 1}}, {1, 0, 0}, 10));
-  CHECK(liesOn(guide, {{5, 5, 1}, {0, 0, -1}}, {-1, 0, 0}, 10));
-  CHECK_FALSE(liesOn(guide, {{5, 5, 1.01}, {0, 0, 1}}, {1, 0, 0}, 10));
-  CHECK_FALSE(liesOn(guide, {{5, 5, 1}, {0, 0, 1}}, {0, 1, 0}, 10));
-  CHECK_FALSE(liesOn(guide, {{5, 5, 1}, {0, 1, 0}}, {1, 0, 0}, 10));
+  CHECK(liesOn(guide, {{5, 5, 1}, {0, 0, 1}}, {1, 0, 0}, 1e-3));
+  CHECK(liesOn(guide, {{5, 5, 1}, {0, 0, -1}}, {-1, 0, 0}, 1e-3));
+  CHECK_FALSE(liesOn(guide, {{5, 5, 1.01}, {0, 0, 1}}, {1, 0, 0}, 1e-3));
+  CHECK_FALSE(liesOn(guide, {{5, 5, 1}, {0, 0, 1}}, {0, 1, 0}, 1e-3));
+  CHECK_FALSE(liesOn(guide, {{5, 5, 1}, {0, 1, 0}}, {1, 0, 0}, 1e-3));
   CHECK(guide.metresAt({2, 7, 1}) == Approx(2.0));
 }

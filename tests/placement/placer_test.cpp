@@ -2,47 +2,13 @@
 
 #include <memory>
 
-#include "placement/placer.h"
-#include "silhouette/cpu_fields.h"
 #include "support/allocation_count.h"
-#include "support/scenes.h"
+#include "support/stage.h"
 
 using namespace dimline;
 using namespace dimline::test;
 
 namespace {
-
-/// A model with everything a frame needs, as an editor would hold it.
-struct Stage {
-  Model model;
-  Values values;
-  Scene scene;
-  CpuFields producer;
-  DistanceFields fields;
-  Placer placer;
-  Layout layout;
-
-  explicit Stage(ModelDefinition definition) : model(makeModel(std::move(definition)).value()), values(model.parameters()) { rebuild(); }
-
-  void rebuild() {
-    scene = model.definition.build(values);
-    producer.setScene(scene);
-    placer.setScene(model, scene);
-  }
-  const Layout& look(const Camera& camera, double width = 1000, double height = 1000) {
-    const View view(camera, width, height, scene.bounds);
-    producer.produce(view, fields);
-    placer.place(view, fields, values, layout);
-    return layout;
-  }
-  [[nodiscard]] std::string nameOf(const PlacedLine& line) const { return model.parameters()[line.parameter].name; }
-  [[nodiscard]] const PlacedLine* find(std::string_view name) const {
-    for (const PlacedLine& line : layout.lines) {
-      if (nameOf(line) == name) return &line;
-    }
-    return nullptr;
-  }
-};
 
 double cross(const Vec2& a, const Vec2& b) { return a.x * b.y - a.y * b.x; }
 
@@ -276,47 +242,6 @@ TEST_CASE("a camera inside the model gives a layout without a NaN") {
       CHECK(std::isfinite(line.lineScreen.start.x + line.lineScreen.start.y + line.lineScreen.end.x + line.lineScreen.end.y));
     }
   }
-}
-
-TEST_CASE("the same model mirrored gives the mirrored picture") {
-  // The box and its door are symmetric in x, so mirroring the camera mirrors the whole situation.
-  Stage stage(boxWithDoor());
-  Stage mirrored(boxWithDoor());
-  const Camera right = orbitCamera({0, 2.5, 0}, 30, 33, 20);
-  const Camera left = orbitCamera({0, 2.5, 0}, 30, -33, 20);
-  stage.look(right);
-  mirrored.look(left);
-  for (const char* name : {"Height", "Depth"}) {
-    const PlacedLine* a = stage.find(name);
-    const PlacedLine* b = mirrored.find(name);
-    REQUIRE(a != nullptr);
-    REQUIRE(b != nullptr);
-    CHECK(a->lineScreen.start.x == Approx(1000 - b->lineScreen.start.x).margin(1.5));
-    CHECK(a->lineScreen.start.y == Approx(b->lineScreen.start.y).margin(1.5));
-  }
-}
-
-TEST_CASE("scaling the world changes nothing on screen") {
-  Stage stage(boxWithDoor());
-  ModelDefinition big = boxWithDoor();
-  for (Parameter& p : big.parameters) {
-    p.defaultValue *= 1000;
-    p.max *= 1000;
-  }
-  Stage scaled(std::move(big));
-  // The door's depth is fixed in the definition; compare what does not depend on it.
-  const Camera camera = orbitCamera({0, 2.5, 0}, 30, 33, 20);
-  Camera far = camera;
-  far.eye *= 1000;
-  far.target *= 1000;
-  stage.look(camera);
-  scaled.look(far);
-  const PlacedLine* a = stage.find("Height");
-  const PlacedLine* b = scaled.find("Height");
-  REQUIRE(a != nullptr);
-  REQUIRE(b != nullptr);
-  CHECK(glm::length(a->lineScreen.start - b->lineScreen.start) < 2.0);
-  CHECK(a->identity == b->identity);
 }
 
 TEST_CASE("a warmed-up frame allocates nothing") {

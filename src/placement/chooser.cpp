@@ -1,0 +1,171 @@
+#include "placement/chooser.h"
+
+#include <algorithm>
+#include <tuple>
+
+#include "placement/labels.h"
+
+// A candidate is one line, or a chain with its members; both are expanded to lines before labels are placed, so that a line of its own is
+// a chain of one from there on.
+
+namespace dimline {
+
+namespace {
+
+auto orderOf(const Identity& i) { return std::tie(i.chain, i.scopeIndex, i.baseLine, i.plane, i.direction); }
+
+ChosenLine chosen(const Candidate& c, std::optional<Box2> label = std::nullopt) {
+  return {c.scope, c.base, c.baseScreen, c.foot, c.footScreen, c.line, c.lineScreen, label};
+}
+
+}  // namespace
+
+bool Chooser::choose(const Measured& measured, const ChoiceContext& context, const History& history) {
+  bases_.clear();
+  tally_ = {};
+  for (const std::size_t scope : measured.scopes) {
+    if (context.usable[scope] != 0) gatherBaseLines(measured.annotation, context.scopes[scope], scope, context.view, bases_, tally_);
+  }
+  if (bases_.empty()) return false;
+  const CandidateContext candidates{measured.annotation, context.view, context.occupied.padded(), context.occupied.paddedModel(), context.occupied.guides(),
+                                    context.objectPlanes, context.viewMoved, history, context.toleranceM, slipPlanes_};
+  for (const bool onGuides : {true, false}) {
+    gather(measured, candidates, onGuides);
+    if (chooseBest(measured, context)) return true;
+  }
+  chooseInside(measured, candidates, context);
+  return true;
+}
+
+/// Candidates on guides, or else outside the silhouette, best first. A chained parameter slides its chains; if it has none that can be used, as
+/// when they pass behind the viewer, its base lines stand for themselves.
+void Chooser::gather(const Measured& measured, const CandidateContext& context, bool onGuides) {
+  candidates_.clear();
+  if (!measured.clusters.empty()) {
+    chainBases_.clear();
+    for (std::size_t i = 0; i < measured.clusters.size(); ++i) {
+      gatherChainBaseLines(measured.clusters[i], static_cast<std::int32_t>(i), context.view, chainBases_);
+    }
+  }
+  for (const UsableBaseLine& base : measured.clusters.empty() ? bases_ : chainBases_) {
+    if (onGuides) {
+      gatherGuideCandidates(context, base, candidates_);
+    } else {
+      gatherOutsideCandidates(context, base, candidates_);
+    }
+  }
+  // Equal scores are ordered by identity, so that the same frame always gives the same layout.
+  std::ranges::sort(candidates_, [](const Candidate& a, const Candidate& b) {
+    return a.score != b.score ? a.score > b.score : orderOf(a.identity) < orderOf(b.identity);
+  });
+}
+
+/// computeWinner. Crossings and labels are dear, so they are looked at only for candidates that could still win: crossings only lower a
+/// score, and the candidates come in descending order.
+bool Chooser::chooseBest(const Measured& measured, const ChoiceContext& context) {
+  bool found = false;
+  double bestScore = 0;
+  for (Candidate& candidate : candidates_) {
+    if (found && bestScore >= candidate.score) break;
+    const Landed::Crossings landed = context.occupied.landed().crossings(candidate.baseScreen, candidate.footScreen, candidate.lineScreen);
+    const Landed::Crossings ahead = context.lookAhead.crossings(candidate.baseScreen, candidate.footScreen, candidate.lineScreen);
+    const double score = candidate.score + (landed.lines ? kScoreIntersect : 0.0) + (landed.extensions ? kScoreCrossesExtension : 0.0) +
+                         (landed.labels ? kScoreCoversLabel : 0.0) + (ahead.lines ? kScoreIntersect : 0.0) +
+                         (ahead.extensions ? kScoreCrossesExtension : 0.0) + (context.lookAhead.crowds(candidate.lineScreen) ? kScoreCrowdsAhead : 0.0);
+    if (found && bestScore >= score) continue;
+    if (!settle(candidate, measured, context)) continue;
+    found = true;
+    bestScore = score;
+    winner_ = candidate;
+    std::swap(lines_, winnerLines_);
+  }
+  return found;
+}
+
+/// The fallback: the base lines themselves (algorithm 1, line 9). A label that has no room there is left out.
+void Chooser::chooseInside(const Measured& measured, const CandidateContext& candidates, const ChoiceContext& context) {
+  candidates_.clear();
+  for (const UsableBaseLine& base : bases_) gatherInsideCandidate(candidates, base, context.scopes[base.scope].box, candidates_);
+  winner_ = *std::ranges::max_element(candidates_, {}, &Candidate::score);
+  winnerLines_.clear();
+  winnerLines_.push_back(chosen(winner_, placeLabel({.line = winner_.lineScreen, .textSize = measured.textSize}, context.occupied.landed(),
+                                                    context.view.viewport())));
+}
+
+/// Fills `lines_` with the lines that a candidate stands for. False when there is none that has room.
+bool Chooser::expand(const Candidate& candidate, const Measured& measured, const ChoiceContext& context) {
+  lines_.clear();
+  if (candidate.identity.chain >= 0) return expandChain(candidate, measured, context);
+  if (candidate.guide >= 0) {
+    const Guide& guide = context.occupied.guides()[static_cast<std::size_t>(candidate.guide)];
+    const auto [from, to] = std::minmax({guide.metresAt(candidate.line.start), guide.metresAt(candidate.line.end)});
+    if (!guide.taken.free(from, to, context.toleranceM)) return false;
+    if (!context.occupied.landed().hasRoom(candidate.lineScreen, candidate.guide)) return false;
+  }
+  lines_.push_back(chosen(candidate));
+  return true;
+}
+
+/// Projects the cluster's base lines onto the chain, nearest first; one whose region is taken already is refused (paper 4.3).
+bool Chooser::expandChain(const Candidate& candidate, const Measured& measured, const ChoiceContext& context) {
+  const View& view = context.view;
+  const Cluster& cluster = measured.clusters[static_cast<std::size_t>(candidate.identity.chain)];
+  const double toleranceM = context.toleranceM;
+  const Guide* guide = candidate.guide >= 0 ? &context.occupied.guides()[static_cast<std::size_t>(candidate.guide)] : nullptr;
+  chainStretches_.clear();
+  for (const std::uint32_t index : cluster.nearestFirst[static_cast<std::size_t>(candidate.identity.baseLine)]) {
+    const ChainMember& m = cluster.members[index];
+    if (context.usable[m.scope] == 0 || !chainStretches_.free(m.fromM, m.toM, toleranceM)) continue;
+    if (!view.inFrontOfNear(m.segment.start) || !view.inFrontOfNear(m.segment.end)) continue;
+    const Segment line{candidate.line.start + cluster.along * m.fromM, candidate.line.start + cluster.along * m.toM};
+    const Segment2 lineScreen = view.toScreen(line);
+    if (lineScreen.length() < leastLengthPx(measured.annotation)) continue;
+    if (guide != nullptr) {
+      const auto [from, to] = std::minmax({guide->metresAt(line.start), guide->metresAt(line.end)});
+      if (!guide->taken.free(from, to, toleranceM) || !context.occupied.landed().hasRoom(lineScreen, candidate.guide)) continue;
+    }
+    chainStretches_.add(m.fromM, m.toM);
+    const Segment foot{m.segment.start + candidate.plane.onto, m.segment.end + candidate.plane.onto};
+    lines_.push_back({m.scope, m.segment, view.toScreen(m.segment), foot, view.toScreen(foot), line, lineScreen, std::nullopt});
+  }
+  return !lines_.empty();
+}
+
+/// Expands a candidate and gives it a label, moving it further out where the label has no room. False when there is none.
+bool Chooser::settle(Candidate& candidate, const Measured& measured, const ChoiceContext& context) {
+  for (int step = 0; step <= kLabelPushSteps; ++step) {
+    if (step > 0 && !pushOutward(candidate, kLabelPushStepPx, context.view)) return false;
+    if (!expand(candidate, measured, context)) return false;
+    if (placeLabels(candidate, measured, context)) return true;
+  }
+  return false;
+}
+
+/// As many lines carry a text as have room; false when none has.
+bool Chooser::placeLabels(const Candidate& candidate, const Measured& measured, const ChoiceContext& context) {
+  bool any = false;
+  for (std::size_t i = 0; i < lines_.size(); ++i) {
+    const auto box = placeLabel({.line = lines_[i].lineScreen,
+                                 .textSize = measured.textSize,
+                                 .outward = candidate.lineScreen.middle() - candidate.baseScreen.middle(),
+                                 .model = &context.model,
+                                 .inChain = lines_.size() > 1},
+                                context.occupied.landed(), context.view.viewport());
+    if (!box || !fellowsLeaveRoom(*box, i)) continue;
+    lines_[i].label = box;
+    any = true;
+  }
+  return any;
+}
+
+bool Chooser::fellowsLeaveRoom(const Box2& label, std::size_t own) const {
+  const Box2 grown = label.grown(kLabelClearancePx);
+  for (std::size_t i = 0; i < lines_.size(); ++i) {
+    if (i == own) continue;
+    if (meets(lines_[i].lineScreen, grown)) return false;
+    if (lines_[i].label && grown.overlaps(*lines_[i].label)) return false;
+  }
+  return true;
+}
+
+}  // namespace dimline

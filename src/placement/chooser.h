@@ -1,0 +1,70 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "placement/candidates.h"
+#include "placement/look_ahead.h"
+#include "placement/measured.h"
+#include "placement/occupied.h"
+
+namespace dimline {
+
+/// What a parameter's lines are chosen against in one frame.
+struct ChoiceContext {
+  const View& view;
+  const DistanceFields& model;              ///< the model's own fields
+  const Occupied& occupied;
+  const LookAhead& lookAhead;
+  const ObjectPlanesInFrame& objectPlanes;
+  std::span<const Scope> scopes;
+  std::span<const char> usable;             ///< one a scope: whether it may carry a line in this frame
+  double toleranceM = 0;                    ///< kSamePlaneDistance of the model's size
+  bool viewMoved = false;                   ///< since the last frame
+};
+
+/// One line of a choice: the line itself, or a member of its chain.
+struct ChosenLine {
+  std::size_t scope = 0;
+  Segment base;
+  Segment2 baseScreen;
+  Segment foot;
+  Segment2 footScreen;
+  Segment line;
+  Segment2 lineScreen;
+  std::optional<Box2> label;
+};
+
+/// getDimensionLine of the paper's algorithm 1 for one parameter: its candidates on guides, else outside the silhouette, else its base lines; the best of them by score, as one line or as the
+/// members of a chain, with labels. Keeps its memory from frame to frame.
+class Chooser {
+ public:
+  /// Finds the parameter's place. False when none of its base lines can be used; then tally() says why.
+  bool choose(const Measured& measured, const ChoiceContext& context, const History& history);
+
+  [[nodiscard]] const Candidate& winner() const { return winner_; }
+  [[nodiscard]] std::span<const ChosenLine> lines() const { return winnerLines_; }
+  [[nodiscard]] const BaseLineTally& tally() const { return tally_; }
+
+ private:
+  void gather(const Measured& measured, const CandidateContext& context, bool onGuides);
+  bool chooseBest(const Measured& measured, const ChoiceContext& context);
+  void chooseInside(const Measured& measured, const CandidateContext& candidates, const ChoiceContext& context);
+  bool settle(Candidate& candidate, const Measured& measured, const ChoiceContext& context);
+  bool expand(const Candidate& candidate, const Measured& measured, const ChoiceContext& context);
+  bool expandChain(const Candidate& candidate, const Measured& measured, const ChoiceContext& context);
+  bool placeLabels(const Candidate& candidate, const Measured& measured, const ChoiceContext& context);
+  [[nodiscard]] bool fellowsLeaveRoom(const Box2& label, std::size_t own) const;
+
+  BaseLineTally tally_;
+  Candidate winner_;
+  std::vector<ChosenLine> winnerLines_;
+  std::vector<ChosenLine> lines_;           ///< of the candidate that is looked at
+  std::vector<UsableBaseLine> bases_;
+  std::vector<UsableBaseLine> chainBases_;
+  std::vector<Candidate> candidates_;
+  std::vector<SlipPlane> slipPlanes_;
+  TakenStretches chainStretches_;
+};
+
+}  // namespace dimline

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "placement/landed.h"
+#include "placement/measured.h"
+
+namespace dimline {
+
+/// Where the lines that are still to be placed in a frame would lie, had each kept the place that it had in the frame before. The greedy order of the paper (4.5) lets a
+/// short line take the place of a longer one, which then moves, and pushes others on; a line that looks ahead leaves the later ones where they are when it can.
+class LookAhead {
+ public:
+  /// A frame begins. `changed`: the view or the scene is another than in the last frame; before a still camera the same lines are looked at again, so that
+  /// nothing moves with time alone.
+  void begin(std::span<const Measured> order, const View& view, bool changed);
+  /// It is the turn of the parameter of that rank in the order: lines up to its own are no longer ahead.
+  void reach(std::size_t rank) { ahead_.backTo(marks_[rank]); }
+  [[nodiscard]] Landed::Crossings crossings(const Segment2& base, const Segment2& foot, const Segment2& line) const {
+    return ahead_.crossings(base, foot, line);
+  }
+  [[nodiscard]] bool crowds(const Segment2& line) const { return ahead_.crowds(line); }
+  /// A line of this frame has landed: in the world its base line, that line's foot on the plane, and the final line.
+  void note(std::size_t parameter, const Segment& base, const Segment& foot, const Segment& line) { present_.push_back({parameter, base, foot, line}); }
+  void forget();
+
+ private:
+  struct Line {
+    std::size_t parameter = 0;
+    Segment base, foot, line;
+  };
+  std::vector<Line> past_;      ///< of the last frame that differed from this one
+  std::vector<Line> present_;   ///< of this frame so far
+  Landed ahead_;
+  std::vector<Landed::Mark> marks_;   ///< one a rank: how much of `ahead_` is of later ranks
+};
+
+}  // namespace dimline

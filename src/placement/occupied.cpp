@@ -1,0 +1,34 @@
+#include "placement/occupied.h"
+
+#include <algorithm>
+
+namespace dimline {
+
+void Occupied::begin(const DistanceFields& model) {
+  pad(model, kHandleSpacingPx, paddedModel_);
+  padded_ = paddedModel_;
+  landed_.clear();
+  guides_.clear();
+}
+
+void Occupied::add(const PlacedLine& line, int guide) {
+  landed_.add(line, guide);
+  if (guide < 0) return;
+  Guide& carrier = guides_[static_cast<std::size_t>(guide)];
+  const auto [from, to] = std::minmax({carrier.metresAt(line.line.start), carrier.metresAt(line.line.end)});
+  carrier.taken.add(from, to);
+  pullIn(padded_, line.lineScreen, kHandleSpacingPx);
+  for (const auto* extension : {&line.extensionStart, &line.extensionEnd}) {
+    for (std::size_t i = 1; i < extension->size(); ++i) {
+      pullIn(padded_, Segment2{(*extension)[i - 1], (*extension)[i]}, kExtensionClearancePx);
+    }
+  }
+  if (line.label) pullIn(padded_, *line.label, kLabelClearancePx);
+}
+
+void Occupied::add(const PlacedHandle& handle, const View& view) {
+  landed_.add(handle, view);
+  pullIn(padded_, handle.box, kLabelClearancePx);
+}
+
+}  // namespace dimline

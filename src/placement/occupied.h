@@ -1,0 +1,35 @@
+#pragma once
+
+#include "placement/guides.h"
+#include "placement/landed.h"
+#include "placement/layout.h"
+
+namespace dimline {
+
+/// What one frame's lines and handles have taken up so far (silhouette updating, paper 4.5). The fields stand twice more than they are measured: padded by
+/// handleSpacing, and padded with all that has landed, each thing grown by what later lines keep from it. A line that clears those keeps
+/// its distance from everything, so no step after the query needs to add padding.
+class Occupied {
+ public:
+  /// A frame begins: nothing but the model is there.
+  void begin(const DistanceFields& model);
+
+  [[nodiscard]] const DistanceFields& paddedModel() const { return paddedModel_; }   ///< the model alone, with handleSpacing
+  [[nodiscard]] const DistanceFields& padded() const { return padded_; }             ///< model and all that has landed
+  [[nodiscard]] const Landed& landed() const { return landed_; }
+  [[nodiscard]] const Guides& guides() const { return guides_; }
+
+  /// A new guide through a line on a plane; returns its number.
+  int addGuide(const Plane& plane, const Segment& line) { return guides_.add(plane, line); }
+  /// `guide`: the number of the guide that the line lies on; -1 for a line inside the model, which takes up nothing outside.
+  void add(const PlacedLine& line, int guide);
+  void add(const PlacedHandle& handle, const View& view);
+
+ private:
+  DistanceFields paddedModel_;
+  DistanceFields padded_;
+  Landed landed_;
+  Guides guides_;
+};
+
+}  // namespace dimline
