@@ -42,6 +42,9 @@ inline constexpr int kLabelPushSteps = 4;
 inline constexpr double kArrowLengthPx = 12.0;
 inline constexpr double kArrowHalfWidthPx = 4.0;
 
+/// px. Radius of the balls with which a line ends that its author gave skin=sphere. About as much ink as an arrowhead.
+inline constexpr double kSphereRadiusPx = 5.0;
+
 /// px. Space between a label and the line that is interrupted for it, and between a label and the arrowhead.
 inline constexpr double kLabelPaddingPx = 4.0;
 

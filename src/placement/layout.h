@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -33,6 +34,12 @@ struct Identity {
   bool operator==(const Identity&) const = default;
 };
 
+/// What its author wants a line to look like.
+struct LineLook {
+  HandleSkin skin = HandleSkin::kArrow;
+  std::optional<std::array<std::uint8_t, 3>> color;   ///< sRGB, in place of the theme's
+};
+
 /// One end of a line that can be dragged.
 struct Handle {
   bool atEnd = true;   ///< the moving end, or else the start
@@ -57,6 +64,7 @@ struct PlacedLine {
   std::vector<Vec2> extensionEnd;
   std::int32_t chain = -1;        ///< equal for the members of one chain, different between chains; -1 for a line of its own
   bool indirect = false;          ///< drawn stippled
+  LineLook look;
   double lengthM = 0;             ///< of the base line, in the world
   double value = 0;               ///< the parameter's value
   std::string text;               ///< what the label says
