@@ -1,5 +1,6 @@
 in vec2 local;
 flat in vec4 shape;
+flat in vec2 shapeLean;
 flat in uint shapeKind;
 flat in vec4 shapeColor;
 uniform vec3 viewport;
@@ -28,6 +29,15 @@ void main() {
         coverage *= overlap(fromMiddle * ratio, -0.5 * shape.w * ratio, 0.5 * shape.w * ratio);
       }
     }
+  } else if (shapeKind == 2u) {
+    // Each pixel belongs to the one piece between whose ends it lies: no seam is drawn twice, none is left out.
+    bool inPiece = local.x >= shapeLean.x * local.y && local.x < len + shapeLean.y * local.y;
+    float across = softness > 0.0 ? smoothstep(0.0, softness, halfWidth - abs(local.y))
+                                  : overlap(local.y * ratio, -halfWidth * ratio, halfWidth * ratio);
+    coverage = inPiece ? across : 0.0;
+  } else if (shapeKind == 3u) {
+    float inside = halfWidth - length(local - vec2(halfWidth, 0.0));
+    coverage = softness > 0.0 ? smoothstep(0.0, softness, inside) : clamp(inside * ratio + 0.5, 0.0, 1.0);
   } else {
     // Distances inwards from the slanted sides and from the back.
     float slope = halfWidth / len;

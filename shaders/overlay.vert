@@ -4,11 +4,13 @@ layout(location = 1) in vec2 endPx;
 layout(location = 2) in vec3 measures;  // half width, softness, dash (px)
 layout(location = 3) in uint kind;
 layout(location = 4) in vec4 color;
+layout(location = 5) in vec2 lean;
 
 uniform vec3 viewport;  // width and height in CSS px, device pixels per CSS pixel
 
 out vec2 local;             // px: along from the start, across from the axis
 flat out vec4 shape;        // length, half width, softness, dash (px)
+flat out vec2 shapeLean;
 flat out uint shapeKind;
 flat out vec4 shapeColor;
 
@@ -21,6 +23,7 @@ void main() {
   vec2 corner = vec2(gl_VertexID & 1, (gl_VertexID >> 1) & 1);
   local = vec2(mix(-room, len + room, corner.x), mix(-1.0, 1.0, corner.y) * (measures.x + room));
   shape = vec4(len, measures);
+  shapeLean = lean;
   shapeKind = kind;
   shapeColor = color;
   vec2 px = startPx + along * local.x + across * local.y;

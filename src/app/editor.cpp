@@ -232,7 +232,29 @@ std::vector<Editor::FadingLine> Editor::fadingLines() const {
   return lines;
 }
 
-void Editor::setReducedMotion(bool reduced) { state_->animator.setReducedMotion(reduced); }
+std::span<const Editor::LineState> Editor::otherStates() const { return state_->otherStates; }
+
+std::vector<Editor::FadingHandle> Editor::fadingHandles() const {
+  std::vector<FadingHandle> handles;
+  for (const HandleAnimator::FadingHandle& handle : state_->handleAnimator.fading()) {
+    handles.push_back({handle.handle, handle.opacity});
+  }
+  return handles;
+}
+
+void Editor::setLinesShown(bool shown) {
+  State& s = *state_;
+  if (s.linesShown == shown) return;
+  s.dropGestures();
+  s.linesShown = shown;
+  s.pictureStale = true;
+}
+bool Editor::linesShown() const { return state_->linesShown; }
+
+void Editor::setReducedMotion(bool reduced) {
+  state_->animator.setReducedMotion(reduced);
+  state_->handleAnimator.setReducedMotion(reduced);
+}
 
 std::vector<EditorEvent> Editor::takeEvents() { return std::exchange(state_->events, {}); }
 

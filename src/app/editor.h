@@ -111,12 +111,22 @@ class Editor {
     bool dragged = false;
   };
   [[nodiscard]] std::span<const LineState> lineStates() const;
+  /// The same of layout().others. A switch or a choice is the host's to show and to point at, so that it is never hovered or dragged here.
+  [[nodiscard]] std::span<const LineState> otherStates() const;
   /// A line that has gone from layout() and is still fading, with the rest of its opacity; for hosts that draw labels themselves.
   struct FadingLine {
     PlacedLine line;
     double opacity = 0;
   };
   [[nodiscard]] std::vector<FadingLine> fadingLines() const;
+  struct FadingHandle {
+    PlacedHandle handle;
+    double opacity = 0;
+  };
+  [[nodiscard]] std::vector<FadingHandle> fadingHandles() const;
+  /// Whether lines and other handles are drawn at all; without them there is only the picture. At the start they are.
+  void setLinesShown(bool shown);
+  [[nodiscard]] bool linesShown() const;
   /// For people who asked their system for less motion: lines change place at once.
   void setReducedMotion(bool reduced);
   /// What happened since the last call.

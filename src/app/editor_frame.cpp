@@ -42,7 +42,7 @@ bool Editor::atRest() const {
   if (s.sceneStale) return false;
   if (!s.hasSize()) return true;
   return !s.viewStale && !s.visibilityStale && s.fieldSource.current() && !s.fieldSource.pending() &&
-         s.animator.atRest() && !s.hoverAnimating() && !s.wantsBetterPicture() && !(s.renderer && s.pictureStale);
+         s.animator.atRest() && s.handleAnimator.atRest() && !s.hoverAnimating() && !s.wantsBetterPicture() && !(s.renderer && s.pictureStale);
 }
 
 void Editor::State::rebuild() {
@@ -90,10 +90,13 @@ void Editor::State::placeOn(const View& view, bool moving) {
     placer.recall(*recall);
     if (fieldSource.current()) recall.reset();  // fields that are still on their way will place the lines once more
   }
-  const auto held = drag ? drag->lineOn(scene, values, view) : std::nullopt;
+  const auto held = drag && drag->line() ? drag->line()->lineOn(scene, values, view) : std::nullopt;
   const bool inChain = held && held->chain >= 0;
   placer.place(view, fieldSource.fields(), values, placed, &scopesSeen, held && !inChain ? &*held : nullptr);
   if (inChain) holdMember(*held);
+  if (drag && drag->arc()) {
+    if (const auto arc = drag->arc()->handleOn(values, view)) holdArc(*arc);
+  }
   timings.placeMs = placeWatch.ms();
   placedOnce = true;
   pictureStale = true;
@@ -113,29 +116,59 @@ void Editor::State::holdMember(const PlacedLine& held) {
   placed.lines.push_back(held);
 }
 
+/// A dragged arc stays where the hand has it in the world, whatever the model does.
+void Editor::State::holdArc(const PlacedHandle& held) {
+  const auto found = std::ranges::find(placed.others, held.parameter, &PlacedHandle::parameter);
+  if (found != placed.others.end()) {
+    *found = held;
+    return;
+  }
+  std::erase_if(placed.hidden, [&](const HiddenParameter& hidden) { return hidden.parameter == held.parameter; });
+  placed.others.push_back(held);
+}
+
 void Editor::State::animate(const View& view) {
   if (!placedOnce) return;
-  const bool wasAtRest = animator.atRest();
-  const bool sameView = drawn.view.viewProjection() == view.viewProjection() &&
-                        drawn.view.widthPx() == view.widthPx() && drawn.view.heightPx() == view.heightPx();
-  animator.update(placed, scene.scopes, view, nowMs, drawn);
+  const bool wasAtRest = animator.atRest() && handleAnimator.atRest();
+  const bool sameAsDrawn = drawn.view.viewProjection() == view.viewProjection() &&
+                           drawn.view.widthPx() == view.widthPx() && drawn.view.heightPx() == view.heightPx();
+  Layout none;
+  none.view = placed.view;
+  const Layout& shown = linesShown ? placed : none;
+  animator.update(shown, scene.scopes, view, nowMs, drawn);
+  handleAnimator.update(shown, scene.scopes, view, nowMs, drawn);
   updateHover();
+  updateStates();
+  if (!wasAtRest || !animator.atRest() || !handleAnimator.atRest() || !sameAsDrawn || hoverAnimating()) pictureStale = true;
+}
 
+/// Opacity, hover and drag of everything that is drawn.
+void Editor::State::updateStates() {
+  const double hoverShare = std::clamp((nowMs - hoverChangedMs) / kHoverMs, 0.0, 1.0);
+  const auto scaleOf = [&](bool dragged, bool isHovered, bool wasHovered) {
+    const double grown = dragged ? 1.0 : isHovered ? hoverShare : wasHovered ? 1.0 - hoverShare : 0.0;
+    return static_cast<float>(1.0 + (kHoverScale - 1.0) * grown);
+  };
   lineStates.resize(drawn.lines.size());
   handleScales.resize(drawn.lines.size());
-  const double hoverShare = std::clamp((nowMs - hoverChangedMs) / kHoverMs, 0.0, 1.0);
   for (std::size_t i = 0; i < drawn.lines.size(); ++i) {
     const PlacedLine& line = drawn.lines[i];
     const auto isOf = [&](const std::optional<HandleKey>& key) {
       return key && (*key == keyOf(line, true) || *key == keyOf(line, false));
     };
-    const bool dragged =
-        drag && line.parameter == drag->parameter() && (line.chain < 0 || line.identity == drag->startLine().identity);
+    const bool dragged = drag && line.parameter == drag->parameter() &&
+                         (line.chain < 0 || (drag->line() && line.identity == drag->line()->startLine().identity));
     lineStates[i] = {animator.opacities()[i], isOf(hovered), dragged};
-    const double grown = dragged ? 1.0 : isOf(hovered) ? hoverShare : isOf(hoveredBefore) ? 1.0 - hoverShare : 0.0;
-    handleScales[i] = static_cast<float>(1.0 + (kHoverScale - 1.0) * grown);
+    handleScales[i] = scaleOf(dragged, isOf(hovered), isOf(hoveredBefore));
   }
-  if (!wasAtRest || !animator.atRest() || !sameView || hoverAnimating()) pictureStale = true;
+  otherStates.resize(drawn.others.size());
+  otherScales.resize(drawn.others.size());
+  for (std::size_t i = 0; i < drawn.others.size(); ++i) {
+    const HandleKey key = keyOf(drawn.others[i]);
+    const bool dragged = drag && drawn.others[i].parameter == drag->parameter();
+    otherStates[i] = {handleAnimator.opacities()[i], hovered == key, dragged};
+    otherScales[i] = scaleOf(dragged, hovered == key, hoveredBefore == key);
+  }
 }
 
 bool Editor::State::hoverAnimating() const { return (hovered || hoveredBefore) && nowMs - hoverChangedMs < kHoverMs; }
@@ -143,11 +176,14 @@ bool Editor::State::hoverAnimating() const { return (hovered || hoveredBefore) &
 /// No lines, and none remembered: the next ones appear without animation.
 void Editor::State::clearLines() {
   animator.reset();
+  handleAnimator.reset();
   recall.reset();
   placed = {};
   drawn = {};
   lineStates.clear();
   handleScales.clear();
+  otherStates.clear();
+  otherScales.clear();
   placedOnce = false;
   viewStale = true;
 }

@@ -115,19 +115,42 @@ void Editor::endHover() {
 // --- Handles
 // ----------------------------------------------------------------------------------------------------------
 
-std::optional<HandleRef> Editor::State::handleAt(const PointerInput& input) const {
-  const double radius = input.kind == PointerKind::kTouch ? kGrabRadiusTouchPx : kGrabRadiusMousePx;
-  return hitHandle(drawn.lines, input.screen, radius);
+std::optional<GripRef> Editor::State::gripAt(const PointerInput& input) const {
+  double radiusPx = input.kind == PointerKind::kTouch ? kGrabRadiusTouchPx : kGrabRadiusMousePx;
+  const auto ofLine = hitHandle(drawn.lines, input.screen, radiusPx);
+  if (ofLine) {
+    const PlacedLine& line = drawn.lines[ofLine->line];
+    radiusPx = glm::length(arrowMiddle(line.lineScreen, line.handles[ofLine->handle]) - input.screen);
+  }
+  if (const auto ofArc = hitArc(drawn.others, drawn.view, input.screen, radiusPx)) return GripRef(*ofArc);
+  return ofLine ? std::optional(GripRef(*ofLine)) : std::nullopt;
 }
 
 HandleKey Editor::State::keyOf(const PlacedLine& line, bool atEnd) const {
   return {line.parameter, line.scope < scene.scopes.size() ? scene.scopes[line.scope].index : 0, atEnd};
 }
 
+HandleKey Editor::State::keyOf(const PlacedHandle& handle) const {
+  return {handle.parameter, handle.scope < scene.scopes.size() ? scene.scopes[handle.scope].index : 0, true};
+}
+
+HandleKey Editor::State::keyOf(const GripRef& grip) const {
+  if (const auto* other = std::get_if<std::size_t>(&grip)) return keyOf(drawn.others[*other]);
+  const auto& [line, handle] = std::get<HandleRef>(grip);
+  return keyOf(drawn.lines[line], drawn.lines[line].handles[handle].atEnd);
+}
+
 /// The line of a handle as it is placed, wherever it is drawn at the moment.
 const PlacedLine* Editor::State::placedLineOf(const HandleKey& key) const {
   for (const PlacedLine& line : placed.lines) {
     if (keyOf(line, key.atEnd) == key) return &line;
+  }
+  return nullptr;
+}
+
+const PlacedHandle* Editor::State::placedHandleOf(const HandleKey& key) const {
+  for (const PlacedHandle& handle : placed.others) {
+    if (handle.arc && keyOf(handle) == key) return &handle;
   }
   return nullptr;
 }
@@ -146,18 +169,15 @@ void Editor::State::catchUp() {
 bool Editor::State::beginHandleDrag(const PointerInput& input) {
   // What is hit is what is seen; what is dragged is the same line where it belongs by now. One that still glides is
   // taken where it is going to, so that nobody edits with a line that has no place.
-  const auto hit = handleAt(input);
+  const auto hit = gripAt(input);
   if (!hit) return false;
-  const PlacedLine& seen = drawn.lines[hit->line];
-  const HandleKey key = keyOf(seen, seen.handles[hit->handle].atEnd);
-  const Vec2 grabOffset = input.screen - seen.handles[hit->handle].screen;
+  const HandleKey key = keyOf(*hit);
+  const auto* onLine = std::get_if<HandleRef>(&*hit);
+  const Handle& seen = onLine != nullptr ? drawn.lines[onLine->line].handles[onLine->handle]
+                                         : drawn.others[std::get<std::size_t>(*hit)].handles.front();
+  const Vec2 grabOffset = input.screen - seen.screen;
   catchUp();
-  const PlacedLine* line = placedLineOf(key);
-  if (line == nullptr) return false;
-
-  const View view = currentView();
-  const Handle handle{key.atEnd, view.toScreen(key.atEnd ? line->line.end : line->line.start)};
-  drag = HandleDrag::begin(model, values, scene, *line, handle, handle.screen + grabOffset, view);
+  drag = takeHold(key, grabOffset, currentView());
   if (!drag) return false;
   dragPointer = input.id;
   beforeDrag = placer.memory();
@@ -165,6 +185,21 @@ bool Editor::State::beginHandleDrag(const PointerInput& input) {
   updateHover();
   viewStale = true;
   return true;
+}
+
+/// Begins the drag of a handle as it is placed. Nothing when it is there no more, or nobody could drag it.
+std::optional<ValueDrag> Editor::State::takeHold(const HandleKey& key, const Vec2& grabOffset, const View& view) const {
+  if (const PlacedLine* line = placedLineOf(key)) {
+    const Handle handle{key.atEnd, view.toScreen(key.atEnd ? line->line.end : line->line.start)};
+    auto begun = HandleDrag::begin(model, values, scene, *line, handle, handle.screen + grabOffset, view);
+    return begun ? std::optional(ValueDrag(std::move(*begun))) : std::nullopt;
+  }
+  if (const PlacedHandle* handle = placedHandleOf(key)) {
+    const Vec2 tip = view.toScreen(handle->arc->at(handle->arc->angleRad));
+    auto begun = ArcDrag::begin(model, values, *handle, tip + grabOffset, view);
+    return begun ? std::optional(ValueDrag(std::move(*begun))) : std::nullopt;
+  }
+  return std::nullopt;
 }
 
 void Editor::State::moveHandle(const Vec2& screen) {
@@ -187,10 +222,7 @@ void Editor::State::endHandleDrag() {
 void Editor::State::updateHover() {
   std::optional<HandleKey> now;
   if (hoverAt && !drag && !cameraGesture) {
-    if (const auto hit = handleAt(*hoverAt)) {
-      const PlacedLine& line = drawn.lines[hit->line];
-      now = keyOf(line, line.handles[hit->handle].atEnd);
-    }
+    if (const auto hit = gripAt(*hoverAt)) now = keyOf(*hit);
   }
   if (now == hovered) return;
   hoveredBefore = hovered;

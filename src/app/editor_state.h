@@ -2,12 +2,15 @@
 
 #include <optional>
 #include <string>
+#include <variant>
 
 #include "app/editor.h"
 #include "app/field_source.h"
+#include "app/handle_animator.h"
 #include "app/line_animator.h"
 #include "app/orbit_controls.h"
 #include "app/quality_governor.h"
+#include "editing/arc_drag.h"
 #include "editing/handle_drag.h"
 #include "editing/handle_hit.h"
 #include "editing/undo_history.h"
@@ -26,6 +29,32 @@ struct HandleKey {
   std::uint32_t scopeIndex = 0;
   bool atEnd = true;
   bool operator==(const HandleKey&) const = default;
+};
+
+/// What a pointer takes hold of, in the layout as drawn: a line's handle, or the end of an arc (an index into others).
+using GripRef = std::variant<HandleRef, std::size_t>;
+
+/// A drag of a handle, of a line or of an arc.
+class ValueDrag {
+public:
+  explicit ValueDrag(HandleDrag drag) : drag_(std::move(drag)) {}
+  explicit ValueDrag(ArcDrag drag) : drag_(std::move(drag)) {}
+
+  [[nodiscard]] std::size_t parameter() const {
+    return std::visit([](const auto& drag) { return drag.parameter(); }, drag_);
+  }
+  [[nodiscard]] const Values& startValues() const {
+    return std::visit([](const auto& drag) -> const Values& { return drag.startValues(); }, drag_);
+  }
+  double valueAt(const Vec2& pointer, const View& view) {
+    return std::visit([&](auto& drag) { return drag.valueAt(pointer, view); }, drag_);
+  }
+  /// Null when it is the other one.
+  [[nodiscard]] const HandleDrag* line() const { return std::get_if<HandleDrag>(&drag_); }
+  [[nodiscard]] const ArcDrag* arc() const { return std::get_if<ArcDrag>(&drag_); }
+
+private:
+  std::variant<HandleDrag, ArcDrag> drag_;
 };
 
 /// A camera being moved by one pointer, or two fingers.
@@ -61,7 +90,7 @@ struct Editor::State {
   bool viewStale = true;        ///< camera, viewport or scene changed since fields were asked for
 
   // --- Gestures ---
-  std::optional<HandleDrag> drag;
+  std::optional<ValueDrag> drag;
   int dragPointer = 0;
   Placer::Memory beforeDrag;             ///< so that cancelling also puts every line back where it was
   std::optional<Placer::Memory> recall;  ///< to be put back before lines are placed again
@@ -82,8 +111,10 @@ struct Editor::State {
   Layout placed;  ///< as the placer gave it, with the dragged line held
   Layout drawn;
   LineAnimator animator;
-  std::vector<LineState> lineStates;
-  std::vector<float> handleScales;  ///< parallel to lineStates
+  HandleAnimator handleAnimator;
+  std::vector<LineState> lineStates, otherStates;
+  std::vector<float> handleScales, otherScales;  ///< parallel to lineStates and otherStates
+  bool linesShown = true;
   bool placedOnce = false;
   Timings timings;
 
@@ -94,7 +125,10 @@ struct Editor::State {
   RenderQuality drawnQuality = RenderQuality::kFull;
   QualityGovernor quality;
   std::string problem;
-  std::vector<OverlayLine> overlay;
+  std::vector<OverlayLine> overlayLines;
+  std::vector<OverlayArc> overlayArcs;
+  std::vector<OverlayLeader> overlayLeaders;
+  std::vector<std::vector<Vec2>> arcPoints;  ///< what overlayArcs point to
 
   // editor.cpp
   [[nodiscard]] bool hasSize() const { return widthPx >= 1 && heightPx >= 1; }
@@ -106,11 +140,15 @@ struct Editor::State {
   void openingCamera();
 
   // editor_input.cpp
-  [[nodiscard]] std::optional<HandleRef> handleAt(const PointerInput& input) const;
+  [[nodiscard]] std::optional<GripRef> gripAt(const PointerInput& input) const;
   [[nodiscard]] HandleKey keyOf(const PlacedLine& line, bool atEnd) const;
+  [[nodiscard]] HandleKey keyOf(const PlacedHandle& handle) const;
+  [[nodiscard]] HandleKey keyOf(const GripRef& grip) const;
   [[nodiscard]] const PlacedLine* placedLineOf(const HandleKey& key) const;
+  [[nodiscard]] const PlacedHandle* placedHandleOf(const HandleKey& key) const;
   void catchUp();
   bool beginHandleDrag(const PointerInput& input);
+  std::optional<ValueDrag> takeHold(const HandleKey& key, const Vec2& grabOffset, const View& view) const;
   void beginCameraGesture(const PointerInput& input);
   void addFinger(const PointerInput& input);
   void moveHandle(const Vec2& screen);
@@ -126,12 +164,16 @@ struct Editor::State {
   void measureAndPlace(const View& view);
   void placeOn(const View& view, bool moving);
   void holdMember(const PlacedLine& held);
+  void holdArc(const PlacedHandle& held);
   void animate(const View& view);
+  void updateStates();
   void clearLines();
   [[nodiscard]] bool hoverAnimating() const;
 
   // editor_draw.cpp
   void draw(const View& view);
+  void buildOverlayLines();
+  void buildOverlayHandles();
   void uploadScene();
   [[nodiscard]] bool wantsBetterPicture() const { return renderer && drawnQuality != RenderQuality::kFull; }
 };

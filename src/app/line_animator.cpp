@@ -3,30 +3,12 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/motion.h"
 #include "editing/line_projection.h"
 
 namespace dimline {
 
 namespace {
-
-/// ms. Long enough to be followed, short enough not to be waited for.
-constexpr double kGlideMs = 180.0;
-constexpr double kFadeMs = 140.0;
-
-/// px. A line that stays the same one but moves against its base line by more than this from one frame to the next
-/// glides too. Below, it is the usual drift of a line that keeps its distance while the camera turns.
-constexpr double kJumpPx = 24.0;
-
-/// Fast at first: most of the way is done while the eye still turns to it.
-double easeOut(double t) {
-  const double left = 1.0 - std::clamp(t, 0.0, 1.0);
-  return 1.0 - left * left * left;
-}
-
-bool sameView(const View& a, const View& b) {
-  return a.worldToPixels() == b.worldToPixels() && a.widthPx() == b.widthPx() && a.heightPx() == b.heightPx() &&
-         a.nearM() == b.nearM();
-}
 
 Vec2 offsetPx(const PlacedLine& line) { return line.lineScreen.middle() - line.baseScreen.middle(); }
 
@@ -58,8 +40,6 @@ void LineAnimator::update(const Layout& placed, std::span<const Scope> scopes, c
 
   const bool same = sameView(placed.view, view);
   drawn.view = view;
-  // Handles that are no lines are placed, but not drawn here yet: this is the layout as drawn.
-  drawn.others.clear();
   drawn.hidden = placed.hidden;
   drawn.visibleScopes = placed.visibleScopes;
   resize(drawn.lines, placed.lines.size());

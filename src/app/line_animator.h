@@ -30,7 +30,8 @@ public:
 
   /// One frame. `placed` is what the placer gave, perhaps for a slightly older view; `drawn` is what this function
   /// filled in the last frame, and becomes what `view` shows now; `scopes` are the scene's. Where nothing moves and
-  /// `view` is the placer's, it is an exact copy of `placed`. Time must not run backwards.
+  /// `view` is the placer's, it is an exact copy of `placed`. `drawn.others` is left to HandleAnimator. Time must not run
+  /// backwards.
   void update(const Layout& placed, std::span<const Scope> scopes, const View& view, double nowMs, Layout& drawn);
 
   /// Nothing glides or fades.

@@ -86,6 +86,8 @@ std::string modelsJson() {
 /// A hundredth of a pixel: what the DOM can use, in few digits.
 double roundedPx(double px) { return std::round(px * 100.0) / 100.0; }
 Vec2 roundedPx(const Vec2& px) { return {roundedPx(px.x), roundedPx(px.y)}; }
+Box2 roundedPx(const Box2& box) { return {roundedPx(box.min), roundedPx(box.max)}; }
+double roundedShare(double share) { return std::round(share * 1000.0) / 1000.0; }
 
 class EditorBinding {
 public:
@@ -211,6 +213,8 @@ public:
   [[nodiscard]] bool atRest() const { return editor_.atRest(); }
   [[nodiscard]] std::string problem() const { return editor_.problem(); }
   void setReducedMotion(bool reduced) { editor_.setReducedMotion(reduced); }
+  void setLinesShown(bool shown) { editor_.setLinesShown(shown); }
+  [[nodiscard]] bool linesShown() const { return editor_.linesShown(); }
 
   [[nodiscard]] std::string layoutJson() const {
     JsonWriter json;
@@ -223,9 +227,33 @@ public:
     json.beginArray();
     const Layout& layout = editor_.layout();
     const auto states = editor_.lineStates();
-    for (std::size_t i = 0; i < layout.lines.size(); ++i) writeLabel(json, layout.lines[i], states[i], false);
-    for (const Editor::FadingLine& fading : editor_.fadingLines())
-      writeLabel(json, fading.line, {fading.opacity}, true);
+    for (std::size_t i = 0; i < layout.lines.size(); ++i) {
+      const PlacedLine& line = layout.lines[i];
+      writeLabel(json, line, line.label ? &*line.label : nullptr, states[i], false);
+    }
+    for (std::size_t i = 0; i < layout.others.size(); ++i) {
+      const PlacedHandle& handle = layout.others[i];
+      if (handle.arc) writeLabel(json, handle, &handle.box, editor_.otherStates()[i], false);
+    }
+    for (const Editor::FadingLine& fading : editor_.fadingLines()) {
+      writeLabel(json, fading.line, fading.line.label ? &*fading.line.label : nullptr, {fading.opacity}, true);
+    }
+    for (const Editor::FadingHandle& fading : editor_.fadingHandles()) {
+      if (fading.handle.arc) writeLabel(json, fading.handle, &fading.handle.box, {fading.opacity}, true);
+    }
+    return json.endArray().take();
+  }
+
+  [[nodiscard]] std::string pillsJson() const {
+    JsonWriter json;
+    json.beginArray();
+    const Layout& layout = editor_.layout();
+    for (std::size_t i = 0; i < layout.others.size(); ++i) {
+      if (!layout.others[i].arc) writePill(json, layout.others[i], editor_.otherStates()[i].opacity, false);
+    }
+    for (const Editor::FadingHandle& fading : editor_.fadingHandles()) {
+      if (!fading.handle.arc) writePill(json, fading.handle, fading.opacity, true);
+    }
     return json.endArray().take();
   }
 
@@ -278,32 +306,55 @@ private:
     if (context_ != 0) emscripten_webgl_make_context_current(context_);
   }
 
-  void writeLabel(JsonWriter& json, const PlacedLine& line, const Editor::LineState& state, bool fading) const {
+  /// A line's label or an arc's; `box`: null when it has no room.
+  template <typename Placed>
+  void writeLabel(JsonWriter& json, const Placed& placed, const Box2* box, const Editor::LineState& state,
+                  bool fading) const {
     const auto parameters = editor_.model().parameters();
-    std::string id = identityText(line.identity, parameters);
+    std::string id = identityText(placed.identity, parameters);
     // A line on its way out must not be taken for one that comes back in its place.
     if (fading) id += "~";
     json.beginObject();
     json.key("id").value(id);
-    json.key("parameter").value(line.parameter);
-    json.key("name").value(parameters[line.parameter].name);
-    json.key("text").value(line.text);
+    json.key("parameter").value(placed.parameter);
+    json.key("name").value(parameters[placed.parameter].name);
+    json.key("text").value(placed.text);
     json.key("box");
-    if (line.label) {
-      json.value(Box2{roundedPx(line.label->min), roundedPx(line.label->max)});
+    if (box != nullptr) {
+      json.value(roundedPx(*box));
     } else {
       json.null();
     }
-    json.key("opacity").value(std::round(state.opacity * 1000.0) / 1000.0);
+    json.key("opacity").value(roundedShare(state.opacity));
     json.key("hovered").value(state.hovered);
     json.key("dragged").value(state.dragged);
     json.key("handles").beginArray();
     if (!fading) {
-      for (const Handle& handle : line.handles) {
+      for (const Handle& handle : placed.handles) {
         json.beginObject();
         json.key("end").value(handle.atEnd ? "end" : "start").key("screen").value(roundedPx(handle.screen));
         json.endObject();
       }
+    }
+    json.endArray();
+    json.endObject();
+  }
+
+  void writePill(JsonWriter& json, const PlacedHandle& handle, double opacity, bool fading) const {
+    const Parameter& parameter = editor_.model().parameters()[handle.parameter];
+    json.beginObject();
+    json.key("parameter").value(handle.parameter);
+    json.key("name").value(parameter.name);
+    json.key("fading").value(fading);
+    json.key("value");
+    writeValue(json, parameter, handle.value);
+    json.key("box").value(roundedPx(handle.box));
+    json.key("opacity").value(roundedShare(opacity));
+    json.key("options").beginArray();
+    for (const RangeOption& option : handle.options) {
+      json.beginObject().key("value");
+      writeValue(json, parameter, option.value);
+      json.key("box").value(roundedPx(option.box)).endObject();
     }
     json.endArray();
     json.endObject();
@@ -352,8 +403,11 @@ EMSCRIPTEN_BINDINGS(dimline) {
       .function("atRest", &EditorBinding::atRest)
       .function("problem", &EditorBinding::problem)
       .function("setReducedMotion", &EditorBinding::setReducedMotion)
+      .function("setLinesShown", &EditorBinding::setLinesShown)
+      .function("linesShown", &EditorBinding::linesShown)
       .function("layoutJson", &EditorBinding::layoutJson)
       .function("labelsJson", &EditorBinding::labelsJson)
+      .function("pillsJson", &EditorBinding::pillsJson)
       .function("eventsJson", &EditorBinding::eventsJson)
       .function("setFieldsFrom", &EditorBinding::setFieldsFrom)
       .function("fieldsFrom", &EditorBinding::fieldsFrom)

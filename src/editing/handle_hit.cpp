@@ -1,5 +1,7 @@
 #include "editing/handle_hit.h"
 
+#include "editing/arc_projection.h"
+
 namespace dimline {
 
 Vec2 arrowMiddle(const Segment2& lineScreen, const Handle& handle) {
@@ -20,6 +22,20 @@ std::optional<HandleRef> hitHandle(std::span<const PlacedLine> lines, const Vec2
         nearest = HandleRef{i, j};
         nearestPx = distancePx;
       }
+    }
+  }
+  return nearest;
+}
+
+std::optional<std::size_t> hitArc(std::span<const PlacedHandle> handles, const View& view, const Vec2& screen, double radiusPx) {
+  std::optional<std::size_t> nearest;
+  double nearestPx = radiusPx;
+  for (std::size_t i = 0; i < handles.size(); ++i) {
+    if (!handles[i].arc || handles[i].handles.empty() || !canProject(*handles[i].arc, view)) continue;
+    const double distancePx = glm::length(arcArrowMiddle(*handles[i].arc, view) - screen);
+    if (distancePx < nearestPx) {
+      nearest = i;
+      nearestPx = distancePx;
     }
   }
   return nearest;

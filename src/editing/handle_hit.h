@@ -23,4 +23,7 @@ Vec2 arrowMiddle(const Segment2& lineScreen, const Handle& handle);
 /// when `screen` is not a number.
 std::optional<HandleRef> hitHandle(std::span<const PlacedLine> lines, const Vec2& screen, double radiusPx);
 
+/// The angular handle that a pointer takes hold of, by index into `handles`: as hitHandle(), and nearer than `radiusPx`. `view`: the one they are drawn in.
+std::optional<std::size_t> hitArc(std::span<const PlacedHandle> handles, const View& view, const Vec2& screen, double radiusPx);
+
 }  // namespace dimline

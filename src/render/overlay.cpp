@@ -24,7 +24,18 @@ constexpr float kExtensionHaloOpacity = 0.5F;
 constexpr double kDashPx = 4.0;
 /// A line's arrowheads never take more than this share of it, so that something of the line is left between them.
 constexpr double kArrowsShare = 0.7;
+/// The stroke ends that share of an arrowhead, or of a ball's radius, behind its tip: where it is wide enough to hide the stroke's corners.
+constexpr double kStrokeInset = 0.7;
+/// A ball's highlight: its radius and how far it is off the middle, in radii, and how bright it is.
+constexpr double kHighlightRadius = 0.55;
+constexpr double kHighlightOffset = 0.28;
+constexpr float kHighlightOpacity = 0.45F;
+/// px. Radius of the dot with which a leader begins.
+constexpr double kAnchorRadiusPx = 2.5;
+/// A colour of the author's under the pointer is so much darker.
+constexpr float kLitShade = 0.8F;
 
+/// What a line or an arc ends with; a ball's length is its radius.
 struct Arrow {
   double lengthPx = 0;
   double halfWidthPx = 0;
@@ -65,21 +76,22 @@ std::pair<double, double> stretchInside(const Segment2& s, const Box2& box) {
   return {enter, leave};
 }
 
-Arrow arrowOf(bool draggable, double lengthPx, float handleScale) {
-  const double wanted = kArrowLengthPx * (draggable ? static_cast<double>(handleScale) : 1.0);
+Arrow arrowOf(bool sphere, bool draggable, double lengthPx, float handleScale) {
+  const double atRest = sphere ? kSphereRadiusPx : kArrowLengthPx;
+  const double wanted = atRest * (draggable ? static_cast<double>(handleScale) : 1.0);
   const double length = std::min(wanted, lengthPx * kArrowsShare * 0.5);
-  return {length, kArrowHalfWidthPx * length / kArrowLengthPx};
+  return {length, sphere ? length : kArrowHalfWidthPx * length / kArrowLengthPx};
 }
 
 Pieces piecesOf(const OverlayLine& line) {
   Pieces pieces;
   pieces.lengthPx = line.line.length();
   pieces.along = (line.line.end - line.line.start) / pieces.lengthPx;
-  pieces.startArrow = arrowOf(line.startDraggable, pieces.lengthPx, line.handleScale);
-  pieces.endArrow = arrowOf(line.endDraggable, pieces.lengthPx, line.handleScale);
-  // The stroke ends inside the arrowheads, where they are wide enough to hide it, so that their tips stay sharp.
-  const Segment2 stroke{line.line.start + pieces.along * (pieces.startArrow.lengthPx * 0.7),
-                        line.line.end - pieces.along * (pieces.endArrow.lengthPx * 0.7)};
+  pieces.startArrow = arrowOf(line.sphereEnds, line.startDraggable, pieces.lengthPx, line.handleScale);
+  pieces.endArrow = arrowOf(line.sphereEnds, line.endDraggable, pieces.lengthPx, line.handleScale);
+  // The stroke ends inside the arrowheads, so that their tips stay sharp.
+  const Segment2 stroke{line.line.start + pieces.along * (pieces.startArrow.lengthPx * kStrokeInset),
+                        line.line.end - pieces.along * (pieces.endArrow.lengthPx * kStrokeInset)};
   pieces.strokes[0] = stroke;
   pieces.strokeCount = 1;
   if (!line.label) return pieces;
@@ -114,6 +126,42 @@ void eachExtensionPiece(std::span<const Vec2> polyline, Emit emit) {
   }
 }
 
+/// Which way a curve runs at a point of its polyline: half way between the pieces before and after it.
+Vec2 tangentAt(std::span<const Vec2> points, std::size_t i, const Vec2& otherwise) {
+  if (i == 0 || i + 1 == points.size()) return otherwise;
+  const Vec2 before = points[i] - points[i - 1];
+  const Vec2 after = points[i + 1] - points[i];
+  const double lengthBefore = glm::length(before);
+  const double lengthAfter = glm::length(after);
+  if (!(lengthBefore > 0) || !(lengthAfter > 0)) return otherwise;
+  const Vec2 sum = before / lengthBefore + after / lengthAfter;
+  return glm::length(sum) > 1e-3 ? glm::normalize(sum) : otherwise;
+}
+
+/// Runs emit(segment, tangent at its start, tangent at its end) over the pieces of a curve between two distances from its start.
+template <typename Emit>
+void eachCurvePiece(std::span<const Vec2> points, double fromPx, double toPx, Emit emit) {
+  double at = 0;
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    const Vec2 step = points[i] - points[i - 1];
+    const double length = glm::length(step);
+    const double low = std::max(fromPx, at);
+    const double high = std::min(toPx, at + length);
+    if (length > 0 && low < high) {
+      const Segment2 piece{points[i - 1] + step * ((low - at) / length), points[i - 1] + step * ((high - at) / length)};
+      const Vec2 own = step / length;
+      emit(piece, low > at ? own : tangentAt(points, i - 1, own), high < at + length ? own : tangentAt(points, i, own));
+    }
+    at += length;
+  }
+}
+
+double lengthOf(std::span<const Vec2> points) {
+  double length = 0;
+  for (std::size_t i = 1; i < points.size(); ++i) length += glm::length(points[i] - points[i - 1]);
+  return length;
+}
+
 class ShapeList {
  public:
   explicit ShapeList(std::vector<OverlayShape>& shapes) : shapes_(shapes) { shapes_.clear(); }
@@ -143,6 +191,17 @@ class ShapeList {
   void arrow(const Vec2& tip, const Vec2& towardsTip, const Arrow& arrow, std::uint32_t rgba) {
     add({tip, tip - towardsTip * arrow.lengthPx}, arrow.halfWidthPx, 0.0, 0.0, OverlayShape::Kind::kArrow, rgba);
   }
+  void disc(const Vec2& center, double radiusPx, double softnessPx, std::uint32_t rgba) {
+    add({center - Vec2(radiusPx, 0), center + Vec2(radiusPx, 0)}, radiusPx, softnessPx, 0.0, OverlayShape::Kind::kDisc, rgba);
+  }
+  /// A piece of a curve, cut at right angles to the tangents at its ends.
+  void curve(const Segment2& piece, const Vec2& tangentAtStart, const Vec2& tangentAtEnd, double halfWidthPx, double softnessPx, std::uint32_t rgba) {
+    const Vec2 along = glm::normalize(piece.end - piece.start);
+    const Vec2 right(-along.y, along.x);
+    const auto lean = [&](const Vec2& tangent) { return static_cast<float>(-glm::dot(tangent, right) / glm::dot(tangent, along)); };
+    add(piece, halfWidthPx, softnessPx, 0.0, OverlayShape::Kind::kCurve, rgba);
+    shapes_.back().lean = {lean(tangentAtStart), lean(tangentAtEnd)};
+  }
   /// The same triangle moved outwards by the halo's reach on all three sides.
   void arrowHalo(const Vec2& tip, const Vec2& towardsTip, const Arrow& arrow, std::uint32_t rgba) {
     const double slope = arrow.halfWidthPx / arrow.lengthPx;
@@ -155,7 +214,7 @@ class ShapeList {
  private:
   void add(const Segment2& segment, double halfWidthPx, double softnessPx, double dashPx, OverlayShape::Kind kind, std::uint32_t rgba) {
     shapes_.push_back({glm::vec2(segment.start), glm::vec2(segment.end), static_cast<float>(halfWidthPx),
-                       static_cast<float>(softnessPx), static_cast<float>(dashPx), kind, rgba});
+                       static_cast<float>(softnessPx), static_cast<float>(dashPx), glm::vec2(0.0F), kind, rgba});
   }
 
   static bool near(const glm::vec2& a, const glm::vec2& b) { return std::abs(a.x - b.x) < 0.5F && std::abs(a.y - b.y) < 0.5F; }
@@ -167,53 +226,160 @@ class ShapeList {
 bool drawable(const OverlayLine& line) {
   return line.opacity > 0.0F && finite(line.line.start) && finite(line.line.end) && line.line.length() > 1e-3;
 }
+bool drawable(const OverlayArc& arc) {
+  return arc.opacity > 0.0F && arc.points.size() > 1 && finite(arc.center) && std::isfinite(lengthOf(arc.points));
+}
+bool drawable(const OverlayLeader& leader) {
+  return leader.opacity > 0.0F && finite(leader.anchor) && finite(leader.box.min) && finite(leader.box.max);
+}
 
-/// What draws the layers of one line, from the lowest to the highest.
-void addExtensionHalos(const OverlayLine& line, const Theme& theme, ShapeList& list) {
-  const std::uint32_t halo = pack(theme.halo, line.opacity * kExtensionHaloOpacity);
-  for (const std::span<const Vec2> extension : {line.extensionStart, line.extensionEnd}) {
-    eachExtensionPiece(extension, [&](const Segment2& piece) {
-      list.strokeOnce(piece, kExtensionWidthPx + 2.0 * kExtensionHaloReachPx, kHaloSoftnessPx, halo);
-    });
+// --- What draws the layers, from the lowest to the highest ---
+
+/// Runs emit(segment) over the two legs of an angle, which are its extension lines.
+template <typename Emit>
+void eachLeg(const OverlayArc& arc, Emit emit) {
+  for (const Vec2& end : {arc.points.front(), arc.points.back()}) eachExtensionPiece(std::array<Vec2, 2>{arc.center, end}, emit);
+}
+
+/// From the anchor's dot to the box; nothing when the anchor lies in the box.
+std::optional<Segment2> threadOf(const OverlayLeader& leader) {
+  const Segment2 whole{leader.anchor, leader.box.center()};
+  const auto [enter, leave] = stretchInside(whole, leader.box);
+  if (enter <= 0.0 || enter >= leave) return std::nullopt;
+  return Segment2{whole.start, whole.start + (whole.end - whole.start) * enter};
+}
+
+void addHair(const Segment2& piece, float opacity, bool halo, const Theme& theme, ShapeList& list) {
+  if (halo) {
+    list.strokeOnce(piece, kExtensionWidthPx + 2.0 * kExtensionHaloReachPx, kHaloSoftnessPx, pack(theme.halo, opacity * kExtensionHaloOpacity));
+  } else {
+    list.strokeOnce(piece, kExtensionWidthPx, 0.0, pack(theme.extension, opacity));
   }
 }
 
-void addHalos(const OverlayLine& line, const Theme& theme, ShapeList& list) {
+/// The thin lines that tie what is outside to the model, or their halos.
+void addHairs(const Overlay& overlay, bool halos, const Theme& theme, ShapeList& list) {
+  for (const OverlayLine& line : overlay.lines) {
+    if (!drawable(line)) continue;
+    for (const std::span<const Vec2> extension : {line.extensionStart, line.extensionEnd}) {
+      eachExtensionPiece(extension, [&](const Segment2& piece) { addHair(piece, line.opacity, halos, theme, list); });
+    }
+  }
+  for (const OverlayArc& arc : overlay.arcs) {
+    if (drawable(arc)) eachLeg(arc, [&](const Segment2& piece) { addHair(piece, arc.opacity, halos, theme, list); });
+  }
+  for (const OverlayLeader& leader : overlay.leaders) {
+    const auto thread = drawable(leader) ? threadOf(leader) : std::nullopt;
+    if (!thread) continue;
+    addHair(*thread, leader.opacity, halos, theme, list);
+    if (halos) {
+      list.disc(leader.anchor, kAnchorRadiusPx + kHaloReachPx, kHaloSoftnessPx, pack(theme.halo, leader.opacity));
+    } else {
+      list.disc(leader.anchor, kAnchorRadiusPx, 0.0, pack(theme.line, leader.opacity));
+    }
+  }
+}
+
+void addHalo(const OverlayLine& line, const Theme& theme, ShapeList& list) {
   const Pieces pieces = piecesOf(line);
   const std::uint32_t halo = pack(theme.halo, line.opacity);
   for (std::size_t i = 0; i < pieces.strokeCount; ++i) list.strokeHalo(pieces.strokes[i], kLineWidthPx, halo);
-  list.arrowHalo(line.line.start, -pieces.along, pieces.startArrow, halo);
-  list.arrowHalo(line.line.end, pieces.along, pieces.endArrow, halo);
+  if (line.sphereEnds) {
+    list.disc(line.line.start, pieces.startArrow.lengthPx + kHaloReachPx, kHaloSoftnessPx, halo);
+    list.disc(line.line.end, pieces.endArrow.lengthPx + kHaloReachPx, kHaloSoftnessPx, halo);
+  } else {
+    list.arrowHalo(line.line.start, -pieces.along, pieces.startArrow, halo);
+    list.arrowHalo(line.line.end, pieces.along, pieces.endArrow, halo);
+  }
 }
 
-void addExtensions(const OverlayLine& line, const Theme& theme, ShapeList& list) {
-  const std::uint32_t ink = pack(theme.extension, line.opacity);
-  for (const std::span<const Vec2> extension : {line.extensionStart, line.extensionEnd}) {
-    eachExtensionPiece(extension, [&](const Segment2& piece) { list.strokeOnce(piece, kExtensionWidthPx, 0.0, ink); });
-  }
+/// A ball: a disc with a highlight where the light comes from, at the top left.
+void addSphere(const Vec2& center, double radiusPx, std::uint32_t rgba, float opacity, ShapeList& list) {
+  list.disc(center, radiusPx, 0.0, rgba);
+  list.disc(center - Vec2(kHighlightOffset * radiusPx), kHighlightRadius * radiusPx, kHighlightRadius * radiusPx,
+            pack(glm::vec4(1.0F), kHighlightOpacity * opacity));
 }
 
 void addInk(const OverlayLine& line, const Theme& theme, ShapeList& list) {
   const Pieces pieces = piecesOf(line);
   const bool lit = line.hovered || line.active;
-  const std::uint32_t ink = pack(lit ? theme.lineHovered : theme.line, line.opacity);
-  const std::uint32_t handle = pack(lit ? theme.handleHovered : theme.handle, line.opacity);
+  const auto colored = [&](const glm::vec4& ofTheme) {
+    if (!line.color) return pack(ofTheme, line.opacity);
+    return pack(glm::vec4(glm::vec3(*line.color) * (lit ? kLitShade : 1.0F), line.color->a), line.opacity);
+  };
+  const std::uint32_t ink = colored(lit ? theme.lineHovered : theme.line);
+  const std::uint32_t handle = colored(lit ? theme.handleHovered : theme.handle);
   for (std::size_t i = 0; i < pieces.strokeCount; ++i) {
     list.stroke(pieces.strokes[i], lit ? kLineWidthHoveredPx : kLineWidthPx, line.indirect ? kDashPx : 0.0, ink);
   }
-  list.arrow(line.line.start, -pieces.along, pieces.startArrow, line.startDraggable ? handle : ink);
-  list.arrow(line.line.end, pieces.along, pieces.endArrow, line.endDraggable ? handle : ink);
+  if (line.sphereEnds) {
+    addSphere(line.line.start, pieces.startArrow.lengthPx, line.startDraggable ? handle : ink, line.opacity, list);
+    addSphere(line.line.end, pieces.endArrow.lengthPx, line.endDraggable ? handle : ink, line.opacity, list);
+  } else {
+    list.arrow(line.line.start, -pieces.along, pieces.startArrow, line.startDraggable ? handle : ink);
+    list.arrow(line.line.end, pieces.along, pieces.endArrow, line.endDraggable ? handle : ink);
+  }
+}
+
+/// Where a curve's arrowhead points to: its axis is the chord that it covers.
+Vec2 headDirection(std::span<const Vec2> points, bool atEnd, double headPx) {
+  const Vec2 tip = atEnd ? points.back() : points.front();
+  Vec2 back = tip;
+  for (std::size_t n = 1; n < points.size() && glm::length(back - tip) < headPx; ++n) back = points[atEnd ? points.size() - 1 - n : n];
+  const Vec2 chord = tip - back;
+  return glm::length(chord) > 0 ? glm::normalize(chord) : Vec2(1, 0);
+}
+
+void addArc(const OverlayArc& arc, bool halo, const Theme& theme, ShapeList& list) {
+  const double lengthPx = lengthOf(arc.points);
+  if (!(lengthPx > 1e-3)) return;
+  const bool lit = arc.hovered || arc.active;
+  const Arrow fixed = arrowOf(false, false, lengthPx, 1.0F);
+  const Arrow moving = arrowOf(false, arc.draggable, lengthPx, arc.handleScale);
+  const std::uint32_t ink = pack(halo ? theme.halo : lit ? theme.lineHovered : theme.line, arc.opacity);
+  const double reachPx = halo ? kHaloReachPx : 0.0;
+  const double halfWidthPx = 0.5 * (lit ? kLineWidthHoveredPx : kLineWidthPx) + reachPx;
+  eachCurvePiece(arc.points, fixed.lengthPx * kStrokeInset, lengthPx - moving.lengthPx * kStrokeInset,
+                [&](const Segment2& piece, const Vec2& tangentAtStart, const Vec2& tangentAtEnd) {
+                  list.curve(piece, tangentAtStart, tangentAtEnd, halfWidthPx, halo ? kHaloSoftnessPx : 0.0, ink);
+                });
+  const std::uint32_t handle = pack(lit ? theme.handleHovered : theme.handle, arc.opacity);
+  const Vec2 atStart = headDirection(arc.points, false, fixed.lengthPx);
+  const Vec2 atEnd = headDirection(arc.points, true, moving.lengthPx);
+  if (halo) {
+    list.arrowHalo(arc.points.front(), atStart, fixed, ink);
+    list.arrowHalo(arc.points.back(), atEnd, moving, ink);
+  } else {
+    list.arrow(arc.points.front(), atStart, fixed, ink);
+    list.arrow(arc.points.back(), atEnd, moving, arc.draggable ? handle : ink);
+  }
 }
 
 }  // namespace
 
-void buildOverlay(std::span<const OverlayLine> lines, const Theme& theme, std::vector<OverlayShape>& shapes) {
+std::optional<glm::vec4> overlayColor(const LineLook& look) {
+  if (!look.color) return std::nullopt;
+  const auto& [red, green, blue] = *look.color;
+  return srgb(static_cast<unsigned>(red) << 16U | static_cast<unsigned>(green) << 8U | blue);
+}
+
+void buildOverlay(const Overlay& overlay, const Theme& theme, std::vector<OverlayShape>& shapes) {
   ShapeList list(shapes);
-  for (const auto addLayer : {addExtensionHalos, addHalos, addExtensions, addInk}) {
-    list.beginLayer();
-    for (const OverlayLine& line : lines) {
-      if (drawable(line)) addLayer(line, theme, list);
-    }
+  list.beginLayer();
+  addHairs(overlay, true, theme, list);
+  for (const OverlayLine& line : overlay.lines) {
+    if (drawable(line)) addHalo(line, theme, list);
+  }
+  for (const OverlayArc& arc : overlay.arcs) {
+    if (drawable(arc)) addArc(arc, true, theme, list);
+  }
+  list.beginLayer();
+  addHairs(overlay, false, theme, list);
+  for (const OverlayLine& line : overlay.lines) {
+    if (drawable(line)) addInk(line, theme, list);
+  }
+  for (const OverlayArc& arc : overlay.arcs) {
+    if (drawable(arc)) addArc(arc, false, theme, list);
   }
 }
 

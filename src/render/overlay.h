@@ -8,6 +8,7 @@
 #include <glm/vec2.hpp>
 
 #include "math/geometry.h"
+#include "placement/layout.h"
 #include "render/theme.h"
 
 namespace dimline {
@@ -27,29 +28,69 @@ struct OverlayLine {
   bool startDraggable = false;
   bool endDraggable = true;
   bool indirect = false;                    ///< stippled
+  bool sphereEnds = false;                  ///< balls about the ends in place of arrowheads
+  std::optional<glm::vec4> color;           ///< of the line and its ends, in place of the theme's
   bool hovered = false;                     ///< the pointer is over a handle of it
   bool active = false;                      ///< being dragged
   float opacity = 1.0F;                     ///< 0 to 1
   float handleScale = 1.0F;                 ///< size of the draggable arrowheads; 1 at rest
 };
 
-/// A stroke or an arrowhead, ready for the GPU, which draws it anti-aliased at device pixels.
+/// An angle, as it is to be drawn on screen: an arc between two legs.
+///
+///         leg
+///        +
+///       / )  arc, an arrowhead at either end;
+///      /   ) its last point is the one that can be dragged
+///     o----+ leg
+///     center
+struct OverlayArc {
+  std::span<const Vec2> points;             ///< close enough to each other to look like a curve. Must outlive the call it is given to.
+  Vec2 center{0.0};
+  bool draggable = true;
+  bool hovered = false;
+  bool active = false;
+  float opacity = 1.0F;
+  float handleScale = 1.0F;
+};
+
+/// The thread that ties a switch or a choice to the feature it belongs to: from a dot there to the edge of its box.
+struct OverlayLeader {
+  Vec2 anchor{0.0};
+  Box2 box;
+  float opacity = 1.0F;
+};
+
+/// All that is drawn over the picture in one frame.
+struct Overlay {
+  std::span<const OverlayLine> lines{};
+  std::span<const OverlayArc> arcs{};
+  std::span<const OverlayLeader> leaders{};
+};
+
+/// A stroke, an arrowhead or a dot, ready for the GPU, which draws it anti-aliased at device pixels.
 struct OverlayShape {
   enum class Kind : std::uint32_t {
     kStroke,   ///< from start to end, cut square
-    kArrow     ///< a triangle: start is the tip, end the middle of the opposite side
+    kArrow,    ///< a triangle: start is the tip, end the middle of the opposite side
+    kCurve,    ///< a stroke that is a piece of a curve: its ends lean so that it meets the pieces before and after it without a seam
+    kDisc      ///< start and end are the ends of a diameter, halfWidthPx the radius
   };
   glm::vec2 startPx{0.0F};
   glm::vec2 endPx{0.0F};
   float halfWidthPx = 0.5F;      ///< an arrow's at its end
   float softnessPx = 0.0F;       ///< 0: as sharp as pixels allow; otherwise the outline fades over this width
   float dashPx = 0.0F;           ///< length of a dash and of the gap after it, counted from start; 0: solid
+  glm::vec2 lean{0.0F};          ///< of a curve's piece: how far along its start and its end lie further on, for each px to the right of it
   Kind kind = Kind::kStroke;
   std::uint32_t rgba = 0;        ///< sRGB, red in the lowest byte, opacity not multiplied in
 };
 
-/// Turns lines into shapes, in drawing order: all halos, then extension lines, lines and arrowheads. Replaces the contents of `shapes`; allocates only when
-/// it grows. Lines that are invisible or not finite are left out.
-void buildOverlay(std::span<const OverlayLine> lines, const Theme& theme, std::vector<OverlayShape>& shapes);
+/// The colour that an author gave a line, if any.
+std::optional<glm::vec4> overlayColor(const LineLook& look);
+
+/// Turns an overlay into shapes, in drawing order: all halos, then extension lines, legs and leaders, then lines, arcs and their ends. Replaces the contents of
+/// `shapes`; allocates only when it grows. What is invisible or not finite is left out.
+void buildOverlay(const Overlay& overlay, const Theme& theme, std::vector<OverlayShape>& shapes);
 
 }  // namespace dimline

@@ -24,6 +24,7 @@ OverlayRenderer::OverlayRenderer(const GlContext& context)
   attribute(1, 2, GL_FLOAT, offsetof(OverlayShape, endPx));
   attribute(2, 3, GL_FLOAT, offsetof(OverlayShape, halfWidthPx));   // and softness, dash
   attribute(3, 1, GL_UNSIGNED_INT, offsetof(OverlayShape, kind));
+  attribute(5, 2, GL_FLOAT, offsetof(OverlayShape, lean));
   attribute(4, 4, GL_UNSIGNED_BYTE, offsetof(OverlayShape, rgba));
   glBindVertexArray(0);
 }

@@ -48,7 +48,7 @@ bool Renderer::shows(const Shown& wanted) const {
   return present == wanted;
 }
 
-Status Renderer::draw(const View& view, std::span<const OverlayLine> lines, const RenderOptions& options) {
+Status Renderer::draw(const View& view, const Overlay& overlay, const RenderOptions& options) {
   if (options.widthPx < 1 || options.heightPx < 1) return okStatus();
   const Shown wanted{glm::mat4(view.viewProjection()), options.widthPx, options.heightPx, options.devicePixelRatio,
                      options.quality, options.ground, options.theme};
@@ -68,7 +68,7 @@ Status Renderer::draw(const View& view, std::span<const OverlayLine> lines, cons
   }
   target_.show(options.framebuffer, options.widthPx, options.heightPx);
   glViewport(0, 0, options.widthPx, options.heightPx);
-  buildOverlay(lines, options.theme, shapes_);
+  buildOverlay(overlay, options.theme, shapes_);
   overlayRenderer_.draw(shapes_, view.widthPx(), view.heightPx(), options.devicePixelRatio);
   return okStatus();
 }

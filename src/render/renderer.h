@@ -2,7 +2,6 @@
 
 #include <memory>
 #include <optional>
-#include <span>
 #include <vector>
 
 #include "core/result.h"
@@ -41,8 +40,8 @@ class Renderer {
   /// Replaces the model. Its light is worked out by the next draw(). An error when the driver does not take a shader that it needs.
   Status setScene(const Scene& scene);
 
-  /// Draws a frame: the model as `view` sees it, and the lines over it. Fills all of the framebuffer with opaque pixels. A size below one pixel draws nothing.
-  Status draw(const View& view, std::span<const OverlayLine> lines, const RenderOptions& options);
+  /// Draws a frame: the model as `view` sees it, and the overlay over it. Fills all of the framebuffer with opaque pixels. A size below one pixel draws nothing.
+  Status draw(const View& view, const Overlay& overlay, const RenderOptions& options);
 
   /// Fields of the model, measured in this context. `requestFields` and the calls of `fields()` are as GpuFields describes them.
   std::uint64_t requestFields(const View& view, double devicePixelRatio) { return fields_.request(scene_, view, devicePixelRatio); }

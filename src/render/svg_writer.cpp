@@ -4,12 +4,11 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <map>
-#include <tuple>
 #include <vector>
 
 #include "core/constants.h"
 #include "core/text.h"
+#include "editing/arc_projection.h"
 #include "placement/barlow_advances.h"
 #include "placement/text_metrics.h"
 #include "render/drawing_lines.h"
@@ -85,11 +84,6 @@ std::string hexColor(std::uint32_t rgb) {
   return text;
 }
 
-std::uint32_t packed(const glm::vec4& color) {
-  const auto byte = [](float v) { return static_cast<std::uint32_t>(std::lround(v * 255.0F)); };
-  return byte(color.r) << 16U | byte(color.g) << 8U | byte(color.b);
-}
-
 void writeTones(const ModelPicture& picture, std::string& svg) {
   std::vector<std::uint32_t> labels(picture.seen.size());
   for (std::size_t i = 0; i < labels.size(); ++i) {
@@ -128,6 +122,7 @@ void writeLines(const Scene& scene, const View& view, const ModelPicture& pictur
   svg += "</g>\n";
 }
 
+/// Switches and choices are for the hand, not for paper, and are left out.
 std::vector<OverlayShape> overlayOf(const Layout& layout) {
   std::vector<OverlayLine> lines;
   for (const PlacedLine& placed : layout.lines) {
@@ -137,95 +132,86 @@ std::vector<OverlayShape> overlayOf(const Layout& layout) {
     line.extensionEnd = placed.extensionEnd;
     line.label = placed.label;
     line.indirect = placed.indirect;
+    line.sphereEnds = placed.look.skin == HandleSkin::kSphere;
+    line.color = overlayColor(placed.look);
     lines.push_back(line);
   }
+  std::vector<OverlayArc> arcs;
+  std::vector<std::vector<Vec2>> points(layout.others.size());
+  for (std::size_t i = 0; i < layout.others.size(); ++i) {
+    const auto& arc = layout.others[i].arc;
+    if (!arc || !arcOnScreen(*arc, layout.view, points[i])) continue;
+    arcs.push_back({.points = points[i], .center = layout.view.toScreen(arc->center)});
+  }
   std::vector<OverlayShape> shapes;
-  buildOverlay(lines, drawingTheme(), shapes);
+  buildOverlay({lines, arcs, {}}, drawingTheme(), shapes);
   return shapes;
+}
+
+/// What shapes have in common that become one path.
+struct Look {
+  bool stroke = true;
+  std::uint32_t rgba = 0;
+  float widthPx = 0;  ///< of a stroke
+  float dashPx = 0;
+  bool operator==(const Look&) const = default;
+};
+
+struct LookPath {
+  Look look;
+  std::string d;
+  Vec2 end{0.0};  ///< of its last stroke, where a curve's next piece goes on
+};
+
+/// `reachPx`: half the width of a stroke, the radius of a disc.
+void appendShape(const OverlayShape& shape, double reachPx, LookPath& path) {
+  const Vec2 start(shape.startPx), end(shape.endPx);
+  switch (shape.kind) {
+    case OverlayShape::Kind::kStroke:
+      path.d += "M" + point(start) + "L" + point(end);
+      break;
+    case OverlayShape::Kind::kCurve:
+      if (path.d.empty() || glm::length(path.end - start) > 0.01) path.d += "M" + point(start);
+      path.d += "L" + point(end);
+      break;
+    case OverlayShape::Kind::kArrow: {
+      const Vec2 along = glm::normalize(end - start);
+      const Vec2 across = Vec2(-along.y, along.x) * static_cast<double>(shape.halfWidthPx);
+      path.d += "M" + point(start) + "L" + point(end + across) + "L" + point(end - across) + "Z";
+      break;
+    }
+    case OverlayShape::Kind::kDisc: {
+      const Vec2 center = 0.5 * (start + end);
+      const std::string radii = "a" + number(reachPx) + " " + number(reachPx) + " 0 1 0 ";
+      path.d += "M" + point(center - Vec2(reachPx, 0)) + radii + number(2 * reachPx) + " 0" + radii + number(-2 * reachPx) + " 0Z";
+      break;
+    }
+  }
+  path.end = end;
 }
 
 /// Shapes of one look become one path, in the order in which the looks first appear: halos stay below ink.
 void writeOverlay(const Layout& layout, std::string& svg) {
-  using Look = std::tuple<OverlayShape::Kind, std::uint32_t, float, float>;
-  std::vector<std::pair<Look, std::string>> paths;
+  std::vector<LookPath> paths;
   for (const OverlayShape& shape : overlayOf(layout)) {
-    const bool stroke = shape.kind == OverlayShape::Kind::kStroke;
+    const bool stroke = shape.kind == OverlayShape::Kind::kStroke || shape.kind == OverlayShape::Kind::kCurve;
     // Paper knows no soft rims: a halo ends where it has faded for the most part.
     const float reachPx = shape.halfWidthPx - kHaloFade * shape.softnessPx;
-    const Look look{shape.kind, shape.rgba, stroke ? reachPx : 0.0F, shape.dashPx};
-    auto found = paths.begin();
-    while (found != paths.end() && found->first != look) ++found;
-    if (found == paths.end()) found = paths.insert(paths.end(), {look, {}});
-    const Vec2 start(shape.startPx), end(shape.endPx);
-    if (stroke) {
-      found->second += "M" + point(start) + "L" + point(end);
-    } else {
-      const Vec2 along = glm::normalize(end - start);
-      const Vec2 across = Vec2(-along.y, along.x) * static_cast<double>(shape.halfWidthPx);
-      found->second += "M" + point(start) + "L" + point(end + across) + "L" + point(end - across) + "Z";
-    }
+    const Look look{stroke, shape.rgba, stroke ? 2.0F * reachPx : 0.0F, shape.dashPx};
+    auto found = std::ranges::find(paths, look, &LookPath::look);
+    if (found == paths.end()) found = paths.insert(paths.end(), {look, {}, {}});
+    appendShape(shape, static_cast<double>(reachPx), *found);
   }
-  for (const auto& [look, path] : paths) {
-    const auto& [kind, rgba, halfWidthPx, dashPx] = look;
-    const bool stroke = kind == OverlayShape::Kind::kStroke;
-    const std::uint32_t rgb = (rgba & 0xFFU) << 16U | (rgba & 0xFF00U) | (rgba >> 16U & 0xFFU);
-    const std::string paint = stroke ? "stroke" : "fill";
-    svg += std::string("<path ") + (stroke ? "fill=\"none\" " : "") + paint + "=\"" + hexColor(rgb) + "\"";
-    if (rgba >> 24U < 255U) svg += " " + paint + "-opacity=\"" + number((rgba >> 24U) / 255.0) + "\"";
-    if (stroke) svg += " stroke-width=\"" + number(2.0 * static_cast<double>(halfWidthPx)) + "\"";
-    if (dashPx > 0) svg += " stroke-dasharray=\"" + number(static_cast<double>(dashPx)) + "\"";
-    svg += " d=\"" + path + "\"/>\n";
+  for (const LookPath& path : paths) {
+    const Look& look = path.look;
+    const std::uint32_t rgb = (look.rgba & 0xFFU) << 16U | (look.rgba & 0xFF00U) | (look.rgba >> 16U & 0xFFU);
+    const std::string paint = look.stroke ? "stroke" : "fill";
+    svg += std::string("<path ") + (look.stroke ? "fill=\"none\" " : "") + paint + "=\"" + hexColor(rgb) + "\"";
+    if (look.rgba >> 24U < 255U) svg += " " + paint + "-opacity=\"" + number((look.rgba >> 24U) / 255.0) + "\"";
+    if (look.stroke) svg += " stroke-width=\"" + number(static_cast<double>(look.widthPx)) + "\" stroke-linejoin=\"round\"";
+    if (look.dashPx > 0) svg += " stroke-dasharray=\"" + number(static_cast<double>(look.dashPx)) + "\"";
+    svg += " d=\"" + path.d + "\"/>\n";
   }
-}
-
-/// The angle's arc with an arrowhead at either end, and its two legs. Switches and choices are for the hand, not for paper, and are left out.
-void writeArc(const Arc& arc, const View& view, std::string& svg) {
-  constexpr int kPieces = 48;
-  std::vector<Vec2> points;
-  double lengthPx = 0;
-  for (int i = 0; i <= kPieces; ++i) {
-    const Vec3 world = arc.at(arc.angleRad * i / kPieces);
-    if (!view.inFrontOfNear(world)) return;
-    points.push_back(view.toScreen(world));
-    if (i > 0) lengthPx += glm::length(points[static_cast<std::size_t>(i)] - points[static_cast<std::size_t>(i) - 1]);
-  }
-  if (!view.inFrontOfNear(arc.center)) return;
-  const Vec2 center = view.toScreen(arc.center);
-  std::string legs;
-  for (const Vec2& end : {points.front(), points.back()}) {
-    const double legPx = glm::length(end - center);
-    if (legPx <= kExtensionGapPx) continue;
-    const Vec2 along = (end - center) / legPx;
-    legs += "M" + point(center + along * kExtensionGapPx) + "L" + point(end + along * kExtensionOvershootPx);
-  }
-  // The stroke ends inside the arrowheads, so that their tips stay sharp.
-  const double headPx = std::min(kArrowLengthPx, 0.3 * lengthPx);
-  std::string path;
-  for (const Vec2& p : points) {
-    const double fromEndPx = std::min(glm::length(p - points.front()), glm::length(p - points.back()));
-    if (fromEndPx >= 0.5 * headPx) path += (path.empty() ? "M" : "L") + point(p);
-  }
-  const Theme theme = drawingTheme();
-  const auto stroke = [&](const glm::vec4& color, double widthPx, const std::string& d) {
-    svg += "<path fill=\"none\" stroke=\"" + hexColor(packed(color)) + "\" stroke-opacity=\"" +
-           number(static_cast<double>(color.a)) + "\" stroke-width=\"" + number(widthPx) + "\" d=\"" + d + "\"/>\n";
-  };
-  stroke(theme.halo, 3.5, legs + path);
-  if (!legs.empty()) stroke(theme.extension, 1, legs);
-  stroke(theme.line, 1.25, path);
-  svg += "<path fill=\"" + hexColor(packed(theme.line)) + "\" d=\"";
-  // An arrowhead's axis is the chord that it covers.
-  for (const bool atEnd : {false, true}) {
-    const auto at = [&](std::size_t i) { return points[atEnd ? points.size() - 1 - i : i]; };
-    std::size_t back = 1;
-    while (back + 1 < points.size() && glm::length(at(back) - at(0)) < headPx) ++back;
-    const Vec2 chord = at(back) - at(0);
-    if (!(glm::length(chord) > 0)) continue;
-    const Vec2 along = chord / glm::length(chord) * headPx;
-    const Vec2 across = Vec2(-along.y, along.x) * (kArrowHalfWidthPx / kArrowLengthPx);
-    svg += "M" + point(at(0)) + "L" + point(at(0) + along + across) + "L" + point(at(0) + along - across) + "Z";
-  }
-  svg += "\"/>\n";
 }
 
 void writeText(const std::string& text, const Box2& box, std::string& svg) {
@@ -264,9 +250,6 @@ std::string writeSvg(const Scene& scene, const Layout& layout, const std::string
   writeTones(picture, svg);
   writeLines(scene, view, picture, svg);
   writeOverlay(layout, svg);
-  for (const PlacedHandle& handle : layout.others) {
-    if (handle.arc) writeArc(*handle.arc, view, svg);
-  }
   writeLabels(layout, svg);
   return svg + "</svg>\n";
 }

@@ -126,18 +126,49 @@ test("the layout is a FRAME, in motion too", (t) => {
 test("the labels of the DOM are those of the layout", (t) => {
   const stage = openEditor(t);
   const labels = JSON.parse(stage.editor.labelsJson());
-  const { lines } = stage.layout();
-  assert.equal(labels.length, lines.length);
+  const { lines, others } = stage.layout();
+  const arcs = others.filter((other) => other.type === "angular");
+  assert.ok(arcs.length > 0);
+  assert.equal(labels.length, lines.length + arcs.length);
   assert.equal(new Set(labels.map((label) => label.id)).size, labels.length, "each has an id of its own");
+  const placed = [...lines, ...arcs.map((arc) => ({ ...arc, label: { box: arc.box } }))];
   labels.forEach((label, i) => {
-    assert.equal(label.name, lines[i].parameter);
-    assert.equal(label.text, lines[i].text);
+    assert.equal(label.name, placed[i].parameter);
+    assert.equal(label.text, placed[i].text);
     assert.equal(label.opacity, 1);
     assert.equal(label.hovered, false);
     assert.equal(label.dragged, false);
-    assert.equal(label.handles.length, lines[i].handles.length);
-    if (label.box) label.box.forEach((x, k) => assert.ok(Math.abs(x - lines[i].label.box[k]) <= 0.006));
+    assert.equal(label.handles.length, placed[i].handles.length);
+    if (label.box) label.box.forEach((x, k) => assert.ok(Math.abs(x - placed[i].label.box[k]) <= 0.006));
   });
+});
+
+test("switches and choices are those of the layout, with their values and options", (t) => {
+  const stage = openEditor(t);
+  const pills = JSON.parse(stage.editor.pillsJson());
+  const placed = stage.layout().others.filter((other) => other.type !== "angular");
+  assert.deepEqual(pills.map((pill) => pill.name), placed.map((other) => other.parameter));
+  assert.ok(pills.some((pill) => pill.options.length > 1) && pills.some((pill) => typeof pill.value === "boolean"));
+  pills.forEach((pill, i) => {
+    assert.equal(pill.value, placed[i].value);
+    assert.equal(pill.opacity, 1);
+    assert.equal(pill.fading, false);
+    pill.box.forEach((x, k) => assert.ok(Math.abs(x - placed[i].box[k]) <= 0.006));
+    assert.deepEqual(pill.options.map((option) => option.value), (placed[i].options ?? []).map((option) => option.value));
+  });
+});
+
+test("without its lines the layout is empty, and with them it is what it was", (t) => {
+  const stage = openEditor(t);
+  const before = stage.layout();
+  stage.editor.setLinesShown(false);
+  stage.settle();
+  assert.equal(stage.editor.linesShown(), false);
+  assert.deepEqual([stage.layout().lines, stage.layout().others], [[], []]);
+  assert.equal(stage.editor.labelsJson() + stage.editor.pillsJson(), "[][]");
+  stage.editor.setLinesShown(true);
+  stage.settle();
+  assert.deepEqual(stage.layout(), before);
 });
 
 test("dragging the width's handle along its line by what 1 m takes makes the house wider and keeps the handle under the pointer", (t) => {

@@ -241,12 +241,25 @@ TEST_CASE("an angle is drawn as an arc with its legs and its text, a switch is n
   CHECK(wellFormed(svg));
   CHECK(occurrences(svg, ">35 degrees</text>") == 1);
   CHECK(svg.find("switched on") == std::string::npos);
-  // Halo, legs, arc and arrowheads.
-  CHECK(occurrences(svg, "<path ") == occurrences(drawing.svg, "<path ") + 4);
+  // The arc and its halo are one stroke each, with a point every few pixels.
+  CHECK(occurrences(svg, "L") > occurrences(drawing.svg, "L") + 70);
+  CHECK(occurrences(svg, "M") < occurrences(drawing.svg, "M") + 12);
 
   // Behind the viewer it has no place in the picture.
   drawing.layout.others[0].arc->center = {0, 2, 200};
-  CHECK(occurrences(writeSvg(drawing.scene, drawing.layout, "Box"), "<path ") == occurrences(drawing.svg, "<path "));
+  const std::string behind = writeSvg(drawing.scene, drawing.layout, "Box");
+  CHECK(occurrences(behind, "M") == occurrences(drawing.svg, "M"));
+}
+
+TEST_CASE("balls and an author's colour are drawn as such") {
+  Drawing drawing = drawingOf(test::orbitCamera({0, 2.5, 0}, 24, 35, 20), "Box");
+  CHECK(occurrences(drawing.svg, " 0 1 0 ") == 0);
+  drawing.layout.lines[0].look = {HandleSkin::kSphere, std::array<std::uint8_t, 3>{18, 96, 171}};
+  const std::string svg = writeSvg(drawing.scene, drawing.layout, "Box");
+  CHECK(wellFormed(svg));
+  // Two half circles a disc: two halos, two balls with their highlights.
+  CHECK(occurrences(svg, " 0 1 0 ") == 12);
+  CHECK(occurrences(svg, "=\"#1260ab\"") == 2);
 }
 
 TEST_CASE("the same frame gives the same document") {

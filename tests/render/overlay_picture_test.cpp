@@ -22,7 +22,8 @@ struct PaperFixture : PictureFixture {
     options.theme.line = options.theme.extension = options.theme.handle = srgb(0x000000);
     options.theme.halo = srgb(0xFFFFFF, 0.0F);
   }
-  Picture drawLine(const OverlayLine& line, double ratio) { return draw(View({}, kSizePx, kSizePx, {}), ratio, {&line, 1}); }
+  Picture drawLine(const OverlayLine& line, double ratio) { return draw(View({}, kSizePx, kSizePx, {}), ratio, {.lines = {&line, 1}}); }
+  Picture drawArc(const OverlayArc& arc, double ratio) { return draw(View({}, kSizePx, kSizePx, {}), ratio, {.arcs = {&arc, 1}}); }
 };
 
 /// Ink, 0 to 1, of a pixel.
@@ -138,4 +139,60 @@ TEST_CASE("opacity and colour come out as asked; a halo lightens what is under t
   const Picture picture = fixture.drawLine(line, 1);
   CHECK(picture.at(60, 59).g > 140);
   CHECK(picture.at(60, 50).g == Approx(128).margin(1));
+}
+
+TEST_CASE("a curve has the same ink everywhere: its pieces leave no seams") {
+  PaperFixture fixture;
+  std::vector<Vec2> points;
+  for (int i = 0; i <= 48; ++i) {
+    const double rad = 3.141592653589793 * i / 48;
+    points.emplace_back(60 + 50 * std::cos(rad), 100 - 50 * std::sin(rad));
+  }
+  OverlayArc arc;
+  arc.points = points;
+  arc.center = {60, 300};   // its legs leave the picture
+  for (const float opacity : {1.0F, 0.5F}) {
+    arc.opacity = opacity;
+    for (const double ratio : {1.0, 3.0}) {
+      const Picture picture = fixture.drawArc(arc, ratio);
+      // Ink by direction from the centre, in sectors of five degrees away from the arrowheads.
+      std::vector<double> sectors(36, 0.0);
+      for (int y = 0; y < picture.height; ++y) {
+        for (int x = 0; x < picture.width; ++x) {
+          const Vec2 offset((x + 0.5) / ratio - 60, 100 - (y + 0.5) / ratio);
+          const double radius = glm::length(offset);
+          if (offset.y <= 0 || radius < 46 || radius > 54) continue;
+          sectors[static_cast<std::size_t>(std::atan2(offset.y, offset.x) / 3.141592653589793 * 36)] += ink(picture, x, y) / (ratio * ratio);
+        }
+      }
+      const double expected = 1.25 * 50 * 3.141592653589793 / 36 * static_cast<double>(opacity);
+      double mean = 0;
+      for (std::size_t i = 6; i < 30; ++i) {
+        INFO("opacity " << opacity << ", ratio " << ratio << ", sector " << i);
+        CHECK(sectors[i] == Approx(expected).epsilon(ratio > 2 ? 0.06 : 0.2));
+        mean += sectors[i] / 24;
+      }
+      CHECK(mean == Approx(expected).epsilon(0.02));
+    }
+  }
+}
+
+TEST_CASE("a ball's disc is round and as large as its radius says, at any pixel ratio") {
+  PaperFixture fixture;
+  fixture.options.theme.line = srgb(0xFF0000);
+  for (const double ratio : {1.0, 2.0}) {
+    OverlayLine line;
+    line.line = {{60, 30}, {60, 90}};
+    line.sphereEnds = true;
+    line.endDraggable = false;
+    const Picture picture = fixture.drawLine(line, ratio);
+    double area = 0;
+    for (int y = 0; y < static_cast<int>(30 * ratio); ++y) area += rowOfInk(picture, y).sum;
+    // The half of the ball that lies beyond the line's end; its highlight takes some of the ink.
+    const double half = 0.5 * 3.141592653589793 * kSphereRadiusPx * kSphereRadiusPx;
+    CHECK(area / (ratio * ratio) > 0.6 * half);
+    CHECK(area / (ratio * ratio) < 1.02 * half);
+    CHECK(rowOfInk(picture, static_cast<int>((30 - kSphereRadiusPx - 1) * ratio)).sum == 0);
+    CHECK(rowOfInk(picture, static_cast<int>(30 * ratio)).middle / ratio == Approx(60).margin(0.6));
+  }
 }

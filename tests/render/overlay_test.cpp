@@ -1,5 +1,6 @@
 #include "render/overlay.h"
 
+#include <cmath>
 #include <limits>
 
 #include <catch2/catch.hpp>
@@ -29,7 +30,7 @@ unsigned opacityOf(const OverlayShape& shape) { return shape.rgba >> 24U; }
 
 std::vector<OverlayShape> build(const OverlayLine& line) {
   std::vector<OverlayShape> shapes;
-  buildOverlay({&line, 1}, testTheme(), shapes);
+  buildOverlay({.lines = {&line, 1}}, testTheme(), shapes);
   return shapes;
 }
 
@@ -39,6 +40,35 @@ std::vector<OverlayShape> withInk(const std::vector<OverlayShape>& shapes, unsig
     if (inkOf(shape) == ink) found.push_back(shape);
   }
   return found;
+}
+
+std::vector<OverlayShape> build(const OverlayArc& arc) {
+  std::vector<OverlayShape> shapes;
+  buildOverlay({.arcs = {&arc, 1}}, testTheme(), shapes);
+  return shapes;
+}
+
+std::vector<OverlayShape> build(const OverlayLeader& leader) {
+  std::vector<OverlayShape> shapes;
+  buildOverlay({.leaders = {&leader, 1}}, testTheme(), shapes);
+  return shapes;
+}
+
+/// A quarter circle of 100 px about (200, 200), from the right to the top.
+std::vector<Vec2> quarter() {
+  std::vector<Vec2> points;
+  for (int i = 0; i <= 24; ++i) {
+    const double rad = i * 1.5707963267948966 / 24;
+    points.emplace_back(200 + 100 * std::cos(rad), 200 - 100 * std::sin(rad));
+  }
+  return points;
+}
+
+OverlayArc arcOf(const std::vector<Vec2>& points) {
+  OverlayArc arc;
+  arc.points = points;
+  arc.center = {200, 200};
+  return arc;
 }
 
 OverlayLine lineFrom(const Vec2& start, const Vec2& end) {
@@ -128,7 +158,7 @@ TEST_CASE("an extension line that two lines share is drawn once, as strong as th
   lines[1].extensionStart = shared;
   lines[1].extensionEnd = own;
   std::vector<OverlayShape> shapes;
-  buildOverlay(lines, testTheme(), shapes);
+  buildOverlay({.lines = lines}, testTheme(), shapes);
   const std::vector<OverlayShape> extensions = withInk(shapes, 3);
   REQUIRE(extensions.size() == 2);
   CHECK(opacityOf(extensions[0]) == 255);
@@ -171,7 +201,7 @@ TEST_CASE("the arrowheads of a short line leave something of it between them") {
 TEST_CASE("all halos lie under all ink") {
   std::vector<OverlayLine> lines{lineFrom({0, 0}, {100, 0}), lineFrom({50, -50}, {50, 50})};
   std::vector<OverlayShape> shapes;
-  buildOverlay(lines, testTheme(), shapes);
+  buildOverlay({.lines = lines}, testTheme(), shapes);
   std::size_t lastHalo = 0;
   std::size_t firstInk = shapes.size();
   for (std::size_t i = 0; i < shapes.size(); ++i) {
@@ -209,4 +239,111 @@ TEST_CASE("opacity fades every part of a line; what cannot be seen is left out")
   CHECK(build(lineFrom({3, 3}, {3, 3})).empty());
   CHECK(build(lineFrom({0, 0}, {std::numeric_limits<double>::quiet_NaN(), 0})).empty());
   CHECK(build(lineFrom({0, 0}, {std::numeric_limits<double>::infinity(), 0})).empty());
+}
+
+TEST_CASE("balls stand about the ends of a line, the draggable one in the handle's colour, and grow with the handle") {
+  OverlayLine line = lineFrom({100, 50}, {300, 50});
+  line.sphereEnds = true;
+  line.handleScale = 1.5F;
+  std::vector<OverlayShape> shapes = build(line);
+  CHECK(std::ranges::none_of(shapes, [](const OverlayShape& shape) { return shape.kind == Kind::kArrow; }));
+  const std::vector<OverlayShape> orange = withInk(shapes, 4);
+  REQUIRE(orange.size() == 1);
+  CHECK(orange[0].kind == Kind::kDisc);
+  CHECK(0.5F * (orange[0].startPx + orange[0].endPx) == glm::vec2(300, 50));
+  CHECK(orange[0].halfWidthPx == Approx(1.5 * kSphereRadiusPx));
+  const std::vector<OverlayShape> dark = withInk(shapes, 1);
+  REQUIRE(dark.size() == 2);   // the stroke, and the ball that cannot be dragged
+  CHECK(dark[0].startPx.x < 100 + static_cast<float>(kSphereRadiusPx));   // the stroke begins within the ball
+  CHECK(0.5F * (dark[1].startPx + dark[1].endPx) == glm::vec2(100, 50));
+  CHECK(dark[1].halfWidthPx == Approx(kSphereRadiusPx));
+}
+
+TEST_CASE("an author's colour takes the theme's place, and is darker under the pointer") {
+  OverlayLine line = lineFrom({0, 0}, {200, 0});
+  line.color = srgb(0x0000C8);
+  const std::vector<OverlayShape> shapes = build(line);
+  CHECK(withInk(shapes, 200).size() == 3);
+  CHECK(withInk(shapes, 1).empty());
+  CHECK(withInk(shapes, 4).empty());
+  line.hovered = true;
+  CHECK(withInk(build(line), 160).size() == 3);
+
+  CHECK_FALSE(overlayColor({}).has_value());
+  const auto color = overlayColor({HandleSkin::kArrow, std::array<std::uint8_t, 3>{255, 51, 0}});
+  REQUIRE(color.has_value());
+  CHECK(color->r == Approx(1.0F));
+  CHECK(color->g == Approx(0.2F));
+  CHECK(color->b == 0.0F);
+}
+
+TEST_CASE("an arc runs from arrowhead to arrowhead along its points; only the moving end has the handle's colour") {
+  const std::vector<Vec2> points = quarter();
+  const std::vector<OverlayShape> shapes = build(arcOf(points));
+  const std::vector<OverlayShape> orange = withInk(shapes, 4);
+  REQUIRE(orange.size() == 1);
+  CHECK(orange[0].kind == Kind::kArrow);
+  CHECK(glm::length(Vec2(orange[0].startPx) - points.back()) < 1e-4);
+  // The arrowhead's axis is the chord that it covers: its back lies on the circle, or next to it.
+  CHECK(std::abs(glm::length(Vec2(orange[0].endPx) - Vec2(200, 200)) - 100) < 0.5);
+
+  std::vector<OverlayShape> pieces;
+  for (const OverlayShape& shape : withInk(shapes, 1)) {
+    if (shape.kind == Kind::kCurve) pieces.push_back(shape);
+  }
+  REQUIRE(pieces.size() > 15);
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    CHECK(std::abs(glm::length(Vec2(pieces[i].startPx) - Vec2(200, 200)) - 100) < 0.1);
+    if (i == 0) continue;
+    // Neighbours meet in a point, and are cut along the same line there: the half of the bend each, so leans that differ in sign only.
+    CHECK(glm::length(pieces[i].startPx - pieces[i - 1].endPx) < 1e-3F);
+    CHECK(pieces[i].lean.x == Approx(-pieces[i - 1].lean.y).margin(1e-5));
+    CHECK(std::abs(pieces[i].lean.x) == Approx(std::tan(1.5707963267948966 / 24 / 2)).epsilon(0.01));
+  }
+  CHECK(pieces.front().startPx.y < 199.0F);   // within the arrowheads, not at their tips
+  CHECK(pieces.back().endPx.x > 201.0F);
+}
+
+TEST_CASE("an arc's legs are extension lines from its centre past its ends") {
+  const std::vector<Vec2> points = quarter();
+  const std::vector<OverlayShape> legs = withInk(build(arcOf(points)), 3);
+  REQUIRE(legs.size() == 2);
+  CHECK(legs[0].startPx.x == Approx(200 + kExtensionGapPx));
+  CHECK(legs[0].endPx.x == Approx(300 + kExtensionOvershootPx));
+  CHECK(legs[1].endPx.y == Approx(100 - kExtensionOvershootPx));
+}
+
+TEST_CASE("an arc that is hovered, fades, or cannot be drawn") {
+  const std::vector<Vec2> points = quarter();
+  OverlayArc arc = arcOf(points);
+  arc.hovered = true;
+  arc.handleScale = 1.5F;
+  const std::vector<OverlayShape> handles = withInk(build(arc), 5);
+  REQUIRE(handles.size() == 1);
+  CHECK(glm::length(handles[0].endPx - handles[0].startPx) == Approx(1.5 * kArrowLengthPx));
+  arc.opacity = 0.5F;
+  for (const OverlayShape& shape : withInk(build(arc), 5)) CHECK(opacityOf(shape) == 128);
+  arc.opacity = 0.0F;
+  CHECK(build(arc).empty());
+  std::vector<Vec2> broken = points;
+  broken[3].x = std::numeric_limits<double>::quiet_NaN();
+  CHECK(build(arcOf(broken)).empty());
+  CHECK(build(arcOf({})).empty());
+}
+
+TEST_CASE("a leader runs from its dot to the edge of the box, and is not drawn inside it") {
+  OverlayLeader leader;
+  leader.anchor = {100, 100};
+  leader.box = {{200, 86}, {300, 114}};
+  std::vector<OverlayShape> shapes = build(leader);
+  const std::vector<OverlayShape> threads = withInk(shapes, 3);
+  REQUIRE(threads.size() == 1);
+  CHECK(threads[0].startPx == glm::vec2(100, 100));
+  CHECK(threads[0].endPx == glm::vec2(200, 100));
+  const std::vector<OverlayShape> dots = withInk(shapes, 1);
+  REQUIRE(dots.size() == 1);
+  CHECK(dots[0].kind == Kind::kDisc);
+  CHECK(0.5F * (dots[0].startPx + dots[0].endPx) == glm::vec2(100, 100));
+  leader.anchor = {250, 100};
+  CHECK(build(leader).empty());
 }

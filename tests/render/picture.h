@@ -66,7 +66,7 @@ struct PictureFixture : GlTestContext {
     if (!status) FAIL(status.error().message);
   }
 
-  Picture draw(const View& view, double ratio = 1, std::span<const OverlayLine> lines = {}) {
+  Picture draw(const View& view, double ratio = 1, const Overlay& overlay = {}) {
     Picture picture;
     picture.width = static_cast<int>(std::lround(view.widthPx() * ratio));
     picture.height = static_cast<int>(std::lround(view.heightPx() * ratio));
@@ -77,7 +77,7 @@ struct PictureFixture : GlTestContext {
     options.widthPx = picture.width;
     options.heightPx = picture.height;
     options.devicePixelRatio = ratio;
-    const Status status = renderer->draw(view, lines, options);
+    const Status status = renderer->draw(view, overlay, options);
     if (!status) FAIL(status.error().message);
 
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer->id());

@@ -325,7 +325,7 @@ TEST_CASE("a picture kept under changing lines is the one that would be drawn an
   OverlayLine line;
   line.line = {{20, 200}, {220, 210}};
   const Picture first = fixture.draw(view);
-  const Picture withLine = fixture.draw(view, 1, {&line, 1});
+  const Picture withLine = fixture.draw(view, 1, {.lines = {&line, 1}});
   const Picture again = fixture.draw(view);
   CHECK(meanDifference(first, withLine) > 0.05);
   CHECK(meanDifference(first, again) == 0);
