@@ -44,6 +44,7 @@ export class Core {
   #module;
   #editor;
   #contextHandle = 0;
+  #models = null;
 
   constructor(module) {
     this.#module = module;
@@ -63,7 +64,7 @@ export class Core {
 
   /** The built-in models, in the order in which a menu shows them: [{name, title}]. */
   models() {
-    return JSON.parse(this.#module.modelsJson());
+    return (this.#models ??= JSON.parse(this.#module.modelsJson()));
   }
 
   setModel(name) {
@@ -218,6 +219,14 @@ export class Core {
     this.#editor.setReducedMotion(Boolean(on));
   }
 
+  /** Whether lines and other handles are drawn over the picture. */
+  get linesShown() {
+    return this.#editor.linesShown();
+  }
+  set linesShown(on) {
+    this.#editor.setLinesShown(Boolean(on));
+  }
+
   layout() {
     return JSON.parse(this.#editor.layoutJson());
   }
@@ -225,6 +234,11 @@ export class Core {
   /** What the DOM shows over the picture, as the last frame has it. */
   labels() {
     return JSON.parse(this.#editor.labelsJson());
+  }
+
+  /** The switches and choices that the DOM shows over the picture, as the last frame has them. */
+  pills() {
+    return JSON.parse(this.#editor.pillsJson());
   }
 
   /** What happened since the last call, in order: "input", "change", "camera-change", "load". */

@@ -2,6 +2,7 @@ import { createCore } from "./core.js";
 import { kEditorCss } from "./editor_style.js";
 import { fetchGltf, isGltfUrl } from "./gltf_files.js";
 import { LabelLayer } from "./label_layer.js";
+import { PillLayer } from "./pill_layer.js";
 import { PointerInput } from "./pointer_input.js";
 
 const kLabelFont = "Dimline Label";
@@ -42,6 +43,7 @@ export class DimlineEditor extends Base {
   #hasModel = false;
   #input = null;
   #labels = null;
+  #pills = null;
   #ready = null; // {promise, resolve, reject}
   #settling = []; // who waits in settled()
   #frameRequest = 0;
@@ -171,6 +173,14 @@ export class DimlineEditor extends Base {
     this.#act((core) => (core.orthographic = on));
   }
 
+  /** Whether dimension lines and other handles are shown; without them there is only the picture. */
+  get linesShown() {
+    return this.#core?.linesShown ?? true;
+  }
+  set linesShown(on) {
+    this.#act((core) => (core.linesShown = on));
+  }
+
   /**
    * Handles a key that was pressed outside the element, for a page in which the editor is the main thing.
    * @returns {boolean} whether the key meant something; the event's default is prevented then
@@ -266,9 +276,10 @@ export class DimlineEditor extends Base {
     canvas.setAttribute("aria-label", "3D view. Drag to turn it, use the wheel to zoom, press F to fit.");
     canvas.setAttribute("part", "canvas");
     const labels = make("div", "labels");
+    const pills = make("div", "pills");
     const tip = make("div", "tip");
     tip.setAttribute("aria-hidden", "true");
-    const stage = make("div", "stage", canvas, make("div", "ring"), labels, tip);
+    const stage = make("div", "stage", canvas, make("div", "ring"), labels, pills, tip);
     const text = make("p", "heading");
     const why = make("p");
     const retry = make("button", "", "Try again");
@@ -285,9 +296,11 @@ export class DimlineEditor extends Base {
       guard: (call) => this.#guard(call),
       adjust: (name, value) => this.setParameterContinuous(name, value),
       endAdjusting: () => this.#core && this.endContinuous(),
+      set: (name, value) => this.setParameters({ [name]: value }),
     };
     this.#input = new PointerInput(stage, canvas, host, signal);
     this.#labels = new LabelLayer(labels, tip, host, signal);
+    this.#pills = new PillLayer(pills, host, signal);
     this.addEventListener("keydown", (event) => this.handleKey(event), { signal });
     canvas.addEventListener("webglcontextlost", (event) => this.#contextLost(event), { signal });
     canvas.addEventListener("webglcontextrestored", () => this.#contextRestored(), { signal });
@@ -325,7 +338,7 @@ export class DimlineEditor extends Base {
     // Browsers allow a page a few contexts only: this one is given back now, not when memory is next cleaned up.
     this.#parts.canvas.getContext("webgl2")?.getExtension("WEBGL_lose_context")?.loseContext();
     this.#root.replaceChildren();
-    this.#parts = this.#input = this.#labels = null;
+    this.#parts = this.#input = this.#labels = this.#pills = null;
     this.#deviceSize = null;
     this.#drawnSize = "";
     this.#hasModel = false;
@@ -459,7 +472,8 @@ export class DimlineEditor extends Base {
       const rests = !more && this.#core.atRest;
       const events = this.#core.takeEvents();
       if (events.some((type) => type !== "camera-change")) this.#describe();
-      this.#labels.update(this.#core.labels(), devicePixelRatio, this.#input.last);
+      this.#pills.update(this.#core.pills(), devicePixelRatio);
+      this.#labels.update(this.#core.labels(), devicePixelRatio, this.#input.last, this.#pills.hovered);
       if (rests) for (const waiting of this.#settling.splice(0)) waiting.resolve();
       if (more || this.#settling.length > 0) this.#requestFrame();
       for (const type of events) this.dispatchEvent(new Event(type, { bubbles: true, composed: true }));
@@ -467,7 +481,9 @@ export class DimlineEditor extends Base {
   }
 
   #describe() {
-    this.#labels.setParameters(this.#core.parameters());
+    const parameters = this.#core.parameters();
+    this.#labels.setParameters(parameters);
+    this.#pills.setParameters(parameters);
     const title = this.#core.models().find((model) => model.name === this.model)?.title ?? this.model;
     this.#internals.ariaLabel = `${title}, with dimension lines`;
   }

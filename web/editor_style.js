@@ -3,6 +3,7 @@ export const kEditorCss = `
 :host {
   --dimline-ink: #1f2933;
   --dimline-accent: #c2410c;
+  --dimline-handle: #e8650a;
   --dimline-halo: #fff;
   display: block;
   position: relative;
@@ -76,6 +77,101 @@ canvas:focus-visible + .ring { opacity: 1; }
 .label[data-textless] { width: 0; height: 0; overflow: hidden; }
 .label[data-textless]:focus-visible { overflow: visible; outline-offset: 12px; border-radius: 50%; }
 
+/* Switches and choices: what the layout reserves for them is their box, to the pixel. */
+.pills { position: absolute; inset: 0; pointer-events: none; }
+.pill, .options {
+  position: absolute;
+  left: 0;
+  top: 0;
+  box-sizing: border-box;
+  border: 1px solid #c3cbd3;
+  background: #fff;
+  color: var(--dimline-ink);
+  font: 500 14px/1 "Dimline Label", "Barlow", system-ui, sans-serif;
+  pointer-events: auto;
+  touch-action: manipulation;
+}
+.pill {
+  display: flex;
+  align-items: center;
+  justify-content: space-between;
+  margin: 0;
+  padding: 0 5px 1px 11px;
+  border-radius: 99px;
+  box-shadow: 0 1px 2px rgb(31 41 51 / 14%);
+  white-space: nowrap;
+  cursor: pointer;
+  transition: border-color 120ms, box-shadow 120ms;
+}
+.pill[inert] { pointer-events: none; }
+.pill:focus-visible { outline: 2px solid var(--dimline-accent); outline-offset: 2px; }
+.pill[aria-expanded="true"] { border-color: var(--dimline-ink); }
+.pill .track {
+  position: relative;
+  flex: none;
+  width: 26px;
+  height: 16px;
+  margin-bottom: -1px;
+  border-radius: 8px;
+  background: #7b8794;
+  transition: background-color 140ms;
+}
+.pill .track::before {
+  content: "";
+  position: absolute;
+  left: 2px;
+  top: 2px;
+  width: 12px;
+  height: 12px;
+  border-radius: 50%;
+  background: #fff;
+  transition: transform 140ms;
+}
+.pill[aria-pressed="true"] .track { background: var(--dimline-handle); }
+.pill[aria-pressed="true"] .track::before { transform: translateX(10px); }
+.pill .chevron, .option .tick {
+  flex: none;
+  width: 16px;
+  height: 16px;
+  margin: 0 2px -1px 0;
+  fill: none;
+  stroke: var(--dimline-handle);
+  stroke-width: 2;
+  stroke-linecap: round;
+  stroke-linejoin: round;
+}
+.pill .chevron { transition: rotate 140ms; }
+.pill[aria-expanded="true"] .chevron { rotate: 180deg; }
+
+.options {
+  z-index: 1;
+  display: grid;
+  grid-auto-rows: 1fr;
+  overflow: hidden;
+  border-radius: 12px;
+  box-shadow: 0 4px 16px rgb(31 41 51 / 20%), 0 1px 3px rgb(31 41 51 / 16%);
+}
+.option {
+  display: flex;
+  align-items: center;
+  justify-content: space-between;
+  padding: 0 5px 1px 11px;
+  outline: none;
+  white-space: nowrap;
+  cursor: pointer;
+}
+.option .tick { visibility: hidden; }
+.option[aria-selected="true"] .tick { visibility: visible; }
+.option:focus { background: #fdeee2; }
+.option:focus-visible { box-shadow: inset 0 0 0 2px var(--dimline-accent); border-radius: 11px; }
+@media (hover: hover) {
+  .pill:hover { border-color: #7b8794; box-shadow: 0 1px 5px rgb(31 41 51 / 24%); }
+}
+/* A finger gets more than what it sees. */
+@media (pointer: coarse) {
+  .pill::after { content: ""; position: absolute; inset: -8px 0; }
+}
+
 .tip {
   position: absolute;
   left: 0;
@@ -124,6 +220,6 @@ canvas:focus-visible + .ring { opacity: 1; }
 .message button[hidden] { display: none; }
 
 @media (prefers-reduced-motion: reduce) {
-  .tip { transition: none; }
+  .tip, .pill, .pill .track, .pill .track::before, .pill .chevron { transition: none; }
 }
 `;

@@ -1,6 +1,6 @@
 /**
- * The DOM over the picture: one element for each dimension line that is shown, which is its text and, for keyboards and
- * screen readers, a slider. Positions and texts are the core's.
+ * The DOM over the picture: one element for each dimension line and each angle that is shown, which is its text and, for
+ * keyboards and screen readers, a slider. Positions and texts are the core's. Switches and choices are pill_layer.js.
  */
 
 import { stepped } from "./numbers.js";
@@ -42,8 +42,9 @@ export class LabelLayer {
    * @param {object[]} labels as Core.labels() gives them
    * @param {number} devicePixelRatio texts stand on whole device pixels, where they are crispest
    * @param {{x: number, y: number, touch: boolean}} pointer
+   * @param {object | null} control the parameter of another control that the pointer rests on and that should be named
    */
-  update(labels, devicePixelRatio, pointer) {
+  update(labels, devicePixelRatio, pointer, control = null) {
     const round = ++this.#shown;
     const described = new Set();
     let active = null;
@@ -69,7 +70,12 @@ export class LabelLayer {
       this.#handOver(entry);
       entry.node.remove();
     }
-    this.#showTip(active, pointer);
+    this.#showTip(active ? this.#tipOf(active) : control?.title, pointer);
+  }
+
+  #tipOf(active) {
+    const title = this.#parameters[active.parameter]?.title ?? active.name;
+    return active.dragged || !active.box ? `${title}  ${active.text}` : title;
   }
 
   // A line that changes its place is another one; the keyboard's focus goes along.
@@ -169,12 +175,10 @@ export class LabelLayer {
     this.#host.adjust(parameter.name, stepped(parameter, moves[event.key]));
   }
 
-  #showTip(active, pointer) {
+  #showTip(text, pointer) {
     const tip = this.#tip;
-    tip.toggleAttribute("data-shown", Boolean(active));
-    if (!active) return;
-    const title = this.#parameters[active.parameter]?.title ?? active.name;
-    const text = active.dragged || !active.box ? `${title}  ${active.text}` : title;
+    tip.toggleAttribute("data-shown", Boolean(text));
+    if (!text) return;
     if (tip.textContent !== text) tip.textContent = text;
     // Beside a mouse's arrow, but above a finger, which hides what is under it.
     const margin = 6;

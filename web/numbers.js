@@ -1,4 +1,4 @@
-/** Numbers of a parameter as controls need them. */
+/** Numbers and words of a parameter as controls need them. */
 
 /** How many decimals a parameter's values are shown with: as many as its step has, two when any value will do. */
 export function decimalsOf(parameter) {
@@ -19,3 +19,6 @@ export function stepped(parameter, steps) {
 }
 
 export const kUnits = { m: "m", deg: "°", m2: "m²", "": "" };
+
+/** The name of a choice, for people: "half-hip" is "Half hip". */
+export const choiceTitle = (choice) => choice.charAt(0).toUpperCase() + choice.slice(1).replaceAll("-", " ");

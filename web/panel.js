@@ -1,4 +1,4 @@
-import { decimalsOf, kUnits } from "./numbers.js";
+import { choiceTitle, decimalsOf, kUnits } from "./numbers.js";
 
 const kIcons = "assets/icons/icons.svg";
 const kMostSegments = 4; // more choices than these go into a menu
@@ -22,8 +22,6 @@ function makeIcon(name) {
   svg.append(use);
   return svg;
 }
-
-const capitalised = (text) => text.charAt(0).toUpperCase() + text.slice(1).replaceAll("-", " ");
 
 /**
  * Form controls for every parameter, grouped. Shows what the editor says and tells the editor what the visitor sets; it holds
@@ -189,7 +187,7 @@ function makeChoice(parameter, id, helpId, host) {
     const select = make(
       "select",
       { id, "aria-describedby": helpId },
-      ...choices.map((choice) => make("option", { value: choice }, capitalised(choice))),
+      ...choices.map((choice) => make("option", { value: choice }, choiceTitle(choice))),
     );
     select.addEventListener("change", () => host.set({ [name]: select.value }));
     return { head: [make("label", { for: id }, title)], body: [select], show: (value) => (select.value = value) };
@@ -203,7 +201,7 @@ function makeChoice(parameter, id, helpId, host) {
   const segments = make(
     "div",
     { class: "segments", role: "radiogroup", "aria-labelledby": caption.id, "aria-describedby": helpId },
-    ...inputs.map((input) => make("label", {}, input, make("span", {}, capitalised(input.value)))),
+    ...inputs.map((input) => make("label", {}, input, make("span", {}, choiceTitle(input.value)))),
   );
   const show = (value) => inputs.forEach((input) => (input.checked = input.value === value));
   return { head: [caption], body: [segments], show };

@@ -8,6 +8,9 @@ function modifierBits(event) {
   return (event.shiftKey ? 1 : 0) | (event.ctrlKey ? 2 : 0) | (event.altKey ? 4 : 0) | (event.metaKey ? 8 : 0);
 }
 
+/** Whether an event is on a control over the picture, which handles it by itself. */
+const onControl = (event) => Boolean(event.target.closest?.("[data-control]"));
+
 // A mouse wheel's notch is 100 px in one browser and three lines in another.
 const kWheelLinePx = 100 / 3;
 
@@ -65,10 +68,7 @@ export class PointerInput {
     this.#host.guard(() => {
       const core = this.#host.core();
       if (!core) return;
-      // The element may be shown scaled by a transform of the page around it.
-      const rect = this.#stage.getBoundingClientRect();
-      const x = (event.clientX - rect.left) * (this.#stage.offsetWidth / rect.width || 1);
-      const y = (event.clientY - rect.top) * (this.#stage.offsetHeight / rect.height || 1);
+      const [x, y] = this.#position(event);
       const kind = event.pointerType === "touch" || event.pointerType === "pen" ? event.pointerType : "mouse";
       const button = event.button > 0 && event.button < 3 ? event.button : 0;
       this.last = { x, y, touch: kind === "touch" };
@@ -78,7 +78,17 @@ export class PointerInput {
     return target;
   }
 
+  // In the stage, in CSS pixels: the element may be shown scaled by a transform of the page around it.
+  #position(event) {
+    const rect = this.#stage.getBoundingClientRect();
+    return [
+      (event.clientX - rect.left) * (this.#stage.offsetWidth / rect.width || 1),
+      (event.clientY - rect.top) * (this.#stage.offsetHeight / rect.height || 1),
+    ];
+  }
+
   #down(event) {
+    if (onControl(event)) return;
     if (event.button > 2) return; // the mouse's back and forward
     const target = this.#call("pointerDown", event);
     this.#held.set(event.pointerId, target);
@@ -92,6 +102,10 @@ export class PointerInput {
   #move(event) {
     if (this.#held.has(event.pointerId)) {
       this.#call("pointerMove", event);
+    } else if (onControl(event)) {
+      const [x, y] = this.#position(event);
+      this.last = { x, y, touch: event.pointerType === "touch" };
+      this.#leave(event);
     } else if (event.pointerType !== "touch") {
       this.#showCursor(this.#call("hover", event));
     }
@@ -130,6 +144,7 @@ export class PointerInput {
 
   // A drag that begins on a label turns the view; only a double click selects its text. The middle button would scroll.
   #mouseDown(event) {
+    if (onControl(event)) return;
     const onLabel = event.target !== this.#canvas;
     if (event.button === 1 || (onLabel && event.detail < 2)) {
       event.preventDefault();
@@ -141,9 +156,7 @@ export class PointerInput {
     event.preventDefault();
     const unit = event.deltaMode === 1 ? kWheelLinePx : event.deltaMode === 2 ? this.#stage.offsetHeight : 1;
     this.#host.guard(() => {
-      const rect = this.#stage.getBoundingClientRect();
-      const x = (event.clientX - rect.left) * (this.#stage.offsetWidth / rect.width || 1);
-      const y = (event.clientY - rect.top) * (this.#stage.offsetHeight / rect.height || 1);
+      const [x, y] = this.#position(event);
       this.#host.core()?.wheel(x, y, event.deltaY * unit, modifierBits(event));
     });
     this.#host.changed();

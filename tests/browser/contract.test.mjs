@@ -244,7 +244,8 @@ test("layout has the frame's fields, and every annotated parameter once", async 
 
 test("each label's element stands in its layout's box, and is as wide", async () => {
   const frame = await layoutOf(page);
-  const labelled = frame.lines.filter((line) => line.label);
+  const angles = frame.others.filter((other) => other.type === "angular");
+  const labelled = [...frame.lines, ...angles.map((arc) => ({ ...arc, label: { box: arc.box } }))].filter((line) => line.label);
   assert.ok(labelled.length >= 3);
   const shown = await page.evaluate(() => {
     const editor = document.querySelector("dimline-editor");
