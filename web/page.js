@@ -1,4 +1,5 @@
 import "./dimline_editor.js";
+import { ModelPicker } from "./model_picker.js";
 import { Panel } from "./panel.js";
 
 const byId = (id) => document.getElementById(id);
@@ -6,9 +7,16 @@ const byId = (id) => document.getElementById(id);
 const editor = byId("editor");
 const panelNode = byId("panel");
 const projection = byId("projection");
-const modelMenu = byId("model-menu");
 const hint = byId("hint");
 const narrow = matchMedia("(max-width: 639px), (max-width: 1023px) and (orientation: portrait)");
+
+// The address says which model is shown: ?model=boat, or none for the one the page was written with.
+const kModelKey = "model";
+const firstModel = editor.model;
+const modelOfAddress = () => new URLSearchParams(location.search).get(kModelKey) ?? firstModel;
+editor.model = modelOfAddress();
+
+const picker = new ModelPicker(byId("model"), byId("models"), (name) => (editor.model = name));
 
 let sliding = false; // by a control of the panel
 
@@ -69,11 +77,8 @@ function showDocument() {
   const title = models.find((model) => model.name === editor.model)?.title ?? editor.model.split("/").pop();
   byId("title").textContent = byId("document").textContent = title;
   document.title = `${title} – Dimline`;
-  if (modelMenu.options.length !== models.length) {
-    modelMenu.replaceChildren(...models.map((model) => new Option(model.title, model.name)));
-    modelMenu.parentElement.hidden = models.length < 2;
-  }
-  modelMenu.value = editor.model;
+  picker.show(models, editor.model);
+  rememberModel();
   panel.build(editor.getParameters());
   panelNode.dataset.state = "ready";
   for (const button of document.querySelectorAll(".views button")) button.disabled = false;
@@ -81,8 +86,23 @@ function showDocument() {
   showProjection();
 }
 
+// A step in the browser's history, unless the address says so already: then it is where the model came from.
+function rememberModel() {
+  if (modelOfAddress() === editor.model) return;
+  const address = new URL(location.href);
+  address.searchParams.set(kModelKey, editor.model);
+  history.pushState(null, "", address);
+}
+
 // The editor itself tells why it cannot go on; the page tells why a document could not be loaded while another is shown.
 function showFailure(error) {
+  if (panelNode.dataset.state !== "ready" && !editor.error && editor.model !== firstModel) {
+    // The address names a model that there is not.
+    history.replaceState(null, "", location.pathname);
+    editor.model = firstModel;
+    say(error.message);
+    return;
+  }
   if (panelNode.dataset.state !== "ready") panelNode.dataset.state = "failed";
   else if (!editor.error) say(error.message);
 }
@@ -105,8 +125,8 @@ for (const button of document.querySelectorAll("[data-view]")) {
 byId("reset-all").addEventListener("click", () =>
   attempt(() => editor.setParameters(panel.defaults(editor.getParameters()))),
 );
-modelMenu.addEventListener("change", () => {
-  editor.model = modelMenu.value;
+addEventListener("popstate", () => {
+  if (editor.model !== modelOfAddress()) editor.model = modelOfAddress();
 });
 
 // On a phone the panel is a sheet under the picture, which folds.
