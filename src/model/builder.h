@@ -233,6 +233,9 @@ public:
     Vec3 up{0, 1, 0};        ///< in the scope; not along the path's first segment
     bool closed = false;     ///< the path's last point is joined to its first
     double creaseRad = 0.7;  ///< section edges that meet at more than this are hard
+    double bendRad = 0;      ///< where the path bends by less than this, it is shaded as one curve
+    /// The section's size at each of the path's points, as factors > 0: masts and branches taper. Empty: 1 all along.
+    std::span<const double> widths{};
   };
   void sweep(const Ring& section, std::span<const Vec3> path, const SweepOptions& options);
   void sweep(const Ring& section, std::span<const Vec3> path) { sweep(section, path, SweepOptions()); }
@@ -279,6 +282,17 @@ public:
     Solid solid(*this);
     body(solid);
   }
+
+  /// A surface that is known already, such as the leaves of a tree: points in the scope (m), and for each of them the
+  /// normal to shade it with (unit length) and uv (m; none: zero). Triangles are counter-clockwise seen from outside. Nothing
+  /// is welded or checked; what should be closed must be.
+  struct Surface {
+    std::vector<Vec3> points;
+    std::vector<Vec3> normals;
+    std::vector<glm::vec2> uvs;
+    std::vector<std::array<std::uint32_t, 3>> triangles;
+  };
+  void surface(const Surface& surface);
 
   // --- Roofs over the scope's floor, see roof.h --------------------------------------------------------------------------
 

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cassert>
 
 #include "model/builder.h"
 
@@ -100,6 +101,23 @@ void Builder::Solid::face(std::span<const Vec3> ring, MaterialId material) {
   ring_.clear();
   for (const Vec3& p : ring) ring_.push_back(out.weld(builder_.toMesh(p)));
   out.face(ring_, material);
+}
+
+// --- Surfaces that are known already -------------------------------------------------------------------------------------
+
+void Builder::surface(const Surface& surface) {
+  assert(surface.normals.size() == surface.points.size());
+  assert(surface.uvs.empty() || surface.uvs.size() == surface.points.size());
+  if (surface.triangles.empty()) return;
+  MeshBuilder& out = mesh();
+  out.beginPart();
+  std::vector<std::uint32_t> points;
+  points.reserve(surface.points.size());
+  for (const Vec3& p : surface.points) points.push_back(out.point(toMesh(p)));
+  const auto corner = [&](std::uint32_t i) {
+    return MeshBuilder::Corner{points[i], directionToMesh(surface.normals[i]), surface.uvs.empty() ? glm::vec2(0.0F) : surface.uvs[i]};
+  };
+  for (const auto& [a, b, c] : surface.triangles) out.triangle(corner(a), corner(b), corner(c), material());
 }
 
 }  // namespace dimline

@@ -20,15 +20,23 @@ Vec3 rotated(const Vec3& v, const Vec3& from, const Vec3& to) {
 /// A path with the frame of each of its segments.
 struct Path {
   std::vector<Vec3> points;
+  std::vector<double> widths;
   bool closed;
+  double bendCos;
   std::vector<Vec3> way, right, up;
 
-  Path(std::span<const Vec3> input, const Builder::SweepOptions& options) : closed(options.closed) {
-    for (const Vec3& p : input) {
-      if (points.empty() || glm::length(p - points.back()) > MeshBuilder::kNothingM) points.push_back(p);
+  Path(std::span<const Vec3> input, const Builder::SweepOptions& options)
+      : closed(options.closed), bendCos(std::cos(options.bendRad)) {
+    assert(options.widths.empty() || options.widths.size() == input.size());
+    for (std::size_t i = 0; i < input.size(); ++i) {
+      if (!points.empty() && glm::length(input[i] - points.back()) <= MeshBuilder::kNothingM) continue;
+      points.push_back(input[i]);
+      widths.push_back(options.widths.empty() ? 1 : options.widths[i]);
     }
-    if (closed && points.size() > 1 && glm::length(points.front() - points.back()) <= MeshBuilder::kNothingM)
+    if (closed && points.size() > 1 && glm::length(points.front() - points.back()) <= MeshBuilder::kNothingM) {
       points.pop_back();
+      widths.pop_back();
+    }
     if (points.size() < (closed ? 3U : 2U)) return;
     const std::size_t segments = closed ? points.size() : points.size() - 1;
     for (std::size_t s = 0; s < segments; ++s) {
@@ -44,12 +52,29 @@ struct Path {
 
   /// Where the section's point q lies at path point i: on the line through it along the segment before (after, at the
   /// start), in the plane there.
-  [[nodiscard]] Vec3 at(std::size_t i, const Vec2& q) const {
+  [[nodiscard]] Vec3 at(std::size_t i, const Vec2& unscaled) const {
     const std::size_t s = i == 0 ? 0 : i - 1;
+    const Vec2 q = unscaled * widths[i];
     const bool bend = closed || (i > 0 && i < segments());
     const Vec3 plane = bend ? glm::normalize(way[(i + segments() - 1) % segments()] + way[i % segments()]) : way[s];
     const Vec3 o = right[s] * q.x + up[s] * q.y;
     return points[i] + o - way[s] * (glm::dot(o, plane) / glm::dot(way[s], plane));
+  }
+
+  /// The outward normal along segment s where the section, at its point q, has the normal n: it leans to the end at which the
+  /// section is smaller.
+  [[nodiscard]] Vec3 flatNormal(std::size_t s, const Vec2& q, const Vec2& n) const {
+    const std::size_t next = (s + 1) % points.size();
+    const double lean = (widths[s] - widths[next]) * glm::dot(q, n) / glm::length(points[next] - points[s]);
+    return glm::normalize(right[s] * n.x + up[s] * n.y + way[s] * lean);
+  }
+
+  /// The same for shading at one of the segment's two ends.
+  [[nodiscard]] Vec3 normal(std::size_t s, bool atEnd, const Vec2& q, const Vec2& n) const {
+    const Vec3 own = flatNormal(s, q, n);
+    if (!closed && (atEnd ? s + 1 == segments() : s == 0)) return own;
+    const std::size_t other = (s + (atEnd ? 1 : segments() - 1)) % segments();
+    return glm::dot(way[s], way[other]) > bendCos ? glm::normalize(own + flatNormal(other, q, n)) : own;
   }
 };
 
@@ -75,17 +100,17 @@ void Builder::sweep(const Ring& input, std::span<const Vec3> pathInput, const Sw
   for (std::size_t s = 0; s < path.segments(); ++s) {
     const std::size_t from = s * n, to = (s + 1) % count * n;
     const double nextAlong = along + glm::length(path.points[(s + 1) % count] - path.points[s]);
-    const auto normal = [&](const Vec2& v) {
-      return glm::normalize(directionToMesh(path.right[s] * v.x + path.up[s] * v.y));
-    };
     double around = 0;
     for (std::size_t i = 0; i < n; ++i) {
       const std::size_t j = (i + 1) % n;
       const double nextAround = around + glm::length(ring[j] - ring[i]);
-      const Vec3 ni = normal(normals[i].start), nj = normal(normals[i].end);
-      out.quad({points[from + j], nj, glm::vec2(nextAround, along)}, {points[from + i], ni, glm::vec2(around, along)},
-               {points[to + i], ni, glm::vec2(around, nextAlong)},
-               {points[to + j], nj, glm::vec2(nextAround, nextAlong)}, material());
+      const auto normal = [&](bool atEnd, std::size_t corner, const Vec2& flat) {
+        return directionToMesh(path.normal(s, atEnd, ring[corner], flat));
+      };
+      out.quad({points[from + j], normal(false, j, normals[i].end), glm::vec2(nextAround, along)},
+               {points[from + i], normal(false, i, normals[i].start), glm::vec2(around, along)},
+               {points[to + i], normal(true, i, normals[i].start), glm::vec2(around, nextAlong)},
+               {points[to + j], normal(true, j, normals[i].end), glm::vec2(nextAround, nextAlong)}, material());
       around = nextAround;
     }
     along = nextAlong;

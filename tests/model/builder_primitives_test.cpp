@@ -217,6 +217,59 @@ TEST_CASE("a sweep's section has its first axis to the right of the way and its 
   CHECK(glm::length(bounds.max - Vec3(3, 5, 0)) < 1e-6);
 }
 
+TEST_CASE("a sweep can taper, and its sides' normals lean with it") {
+  Builder::SweepOptions options;
+  const double widths[] = {1, 1, 0.5};
+  options.widths = widths;
+  // A point of the path that repeats is left out together with its width.
+  const std::vector<Vec3> path{{0, 0, 0}, {0, 0, 0}, {0, 0, -1}};
+  Builder b;
+  b.sweep(rectangleRing({-0.5, -0.5}, {0.5, 0.5}), path, options);
+  const Scene scene = b.finish();
+  CHECK(test::defectOf(scene) == "");
+  const Mesh& mesh = scene.meshes.at(0);
+  CHECK(test::volumeOf(mesh) == Approx((1 + 0.25 + 0.5) / 3).epsilon(1e-6));  // a frustum: (A + B + sqrt(AB)) h / 3
+  std::size_t right = 0;
+  for (const auto& corners : mesh.normals) {
+    for (const glm::vec3& n : corners) {
+      if (n.x < 0.5F) continue;
+      ++right;
+      // The side comes in by 0.25 m over 1 m.
+      CHECK(glm::length(Vec3(n) - glm::normalize(Vec3(1, 0, -0.25))) < 1e-6);
+    }
+  }
+  CHECK(right == 6);
+}
+
+TEST_CASE("a sweep is shaded as one curve where it bends by less than asked for") {
+  const std::vector<Vec3> path{{0, 0, 0}, {1, 0, 0}, {2, 0.2, 0}, {2, 2, 0}};  // 11 degrees, then 79
+  const auto normalsAt = [&](double bendRad, const Vec3& place) {
+    Builder::SweepOptions options;
+    options.up = {0, 0, 1};
+    options.bendRad = bendRad;
+    Builder b;
+    b.sweep(rectangleRing({-0.1, -0.1}, {0.1, 0.1}), path, options);
+    const Mesh mesh = b.finish().meshes.at(0);
+    std::vector<Vec3> found;
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        const Vec3 n(mesh.normals[i][k]);
+        // The side that faces down and to the right, in the plane of the path.
+        if (glm::length(Vec3(mesh.positions[mesh.triangles[i][k]]) - place) > 0.2 || std::abs(n.z) > 0.5 || n.y > n.x) continue;
+        const bool known = std::any_of(found.begin(), found.end(), [&](const Vec3& f) { return glm::length(f - n) < 1e-5; });
+        if (!known) found.push_back(n);
+      }
+    }
+    return found;
+  };
+  CHECK(normalsAt(0, path[1]).size() == 2);
+  CHECK(normalsAt(0.5, path[2]).size() == 2);
+  const std::vector<Vec3> shared = normalsAt(0.5, path[1]);
+  REQUIRE(shared.size() == 1);
+  const Vec3 turned = glm::normalize(Vec3(0.2, -1, 0));  // at right angles to the second segment
+  CHECK(glm::length(shared[0] - glm::normalize(Vec3(0, -1, 0) + turned)) < 1e-5);
+}
+
 TEST_CASE("a solid made by hand welds its points") {
   const Vec3 a(0, 0, 0), c(1, 0, 0), d(0, 1, 0), e(0, 0, 1);
   const Mesh mesh = drawn({1, 1, 1}, [&](Builder& b) {
@@ -230,6 +283,26 @@ TEST_CASE("a solid made by hand welds its points") {
   CHECK(mesh.positions.size() == 4);
   CHECK(mesh.triangles.size() == 4);
   CHECK(test::volumeOf(mesh) == Approx(1.0 / 6).epsilon(1e-5));
+}
+
+TEST_CASE("a surface is drawn as it is given, in the scope's frame") {
+  Builder::Surface tetrahedron;
+  tetrahedron.points = {{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}};
+  for (const Vec3& p : tetrahedron.points) tetrahedron.normals.push_back(glm::normalize(p));
+  tetrahedron.uvs = {{0, 0}, {1, 2}, {3, 4}, {5, 6}};
+  tetrahedron.triangles = {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}};
+  Builder b;
+  b.translate({10, 0, 0});
+  b.rotate(Axis::kY, kPi / 2);  // the scope's z is the world's x, its x the world's -z
+  b.surface(tetrahedron);
+  const Scene scene = b.finish();
+  CHECK(test::defectOf(scene) == "");
+  const Mesh& mesh = scene.meshes.at(0);
+  REQUIRE(mesh.positions.size() == 4);
+  CHECK(glm::length(Vec3(mesh.positions[3]) - Vec3(11, -1, 1)) < 1e-6);
+  CHECK(glm::length(Vec3(mesh.normals[1][2]) - glm::normalize(Vec3(1, -1, 1))) < 1e-6);  // its corner there is point 3
+  CHECK(mesh.uvs[0][1] == glm::vec2(1, 2));
+  CHECK(test::volumeOf(mesh) == Approx(8.0 / 3).epsilon(1e-5));
 }
 
 TEST_CASE("points weld across the borders of the search's cells, and never across parts") {
