@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include "models/house_parts.h"
+#include "models/vocabulary.h"
 
 // The four roofs. The storeys' box ends at the eaves: a pitched roof's base lies higher by what the eave hangs down,
 // so that the underside's outer edge is level with the box's top whatever pitch and overhang are.
@@ -13,14 +14,6 @@ namespace {
 
 constexpr double kShedTop = 0.25;  // how far the upper slope of a shed reaches over the lower one
 constexpr double kShedWall = 0.2;  // thickness of the wall between the two
-
-void nameBox(Builder& b, std::string_view name, const Vec3& min, const Vec3& max) {
-  b.push([&] {
-    b.translate(min);
-    b.scale(max - min);
-    b.name(name);
-  });
-}
 
 /// The strips between the walls' faces and the roof's edge, one a side; z is outwards.
 void nameOverhangs(const House& house, double low, double high) {

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <map>
 #include <numeric>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -65,8 +66,9 @@ inline double areaOf(const Mesh& mesh) {
   return sum;
 }
 
-/// The first thing that is wrong with a mesh whose parts should all be closed solids; empty when nothing is.
-inline std::string defectOf(const Mesh& mesh, std::size_t materialCount) {
+/// The first thing that is wrong with a mesh whose parts should all be closed solids, but for those of two-sided materials, which may
+/// have borders; empty when nothing is.
+inline std::string defectOf(const Mesh& mesh, std::span<const Material> materials) {
   const std::size_t n = mesh.triangles.size();
   if (mesh.materials.size() != n || mesh.normals.size() != n || mesh.uvs.size() != n)
     return "arrays of different lengths";
@@ -80,7 +82,7 @@ inline std::string defectOf(const Mesh& mesh, std::size_t materialCount) {
       if (p >= mesh.positions.size()) return which + " has a corner that does not exist";
       used[p] = true;
     }
-    if (mesh.materials[i] >= materialCount) return which + " has a material that does not exist";
+    if (mesh.materials[i] >= materials.size()) return which + " has a material that does not exist";
     const auto [a, b, c] = corners(mesh, i);
     const Vec3 normal = glm::cross(b - a, c - a);
     const double longest = std::max({glm::length(b - a), glm::length(c - b), glm::length(a - c)});
@@ -100,8 +102,10 @@ inline std::string defectOf(const Mesh& mesh, std::size_t materialCount) {
     if (!used[i]) return "point " + std::to_string(i) + " belongs to no triangle";
   }
   std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
-  for (const auto& t : mesh.triangles) {
-    for (std::size_t k = 0; k < 3; ++k) edges.emplace_back(t[k], t[(k + 1) % 3]);
+  const auto twoSided = [&](std::size_t triangle) { return materials[mesh.materials[triangle]].twoSided; };
+  for (std::size_t i = 0; i < n; ++i) {
+    if (twoSided(i)) continue;
+    for (std::size_t k = 0; k < 3; ++k) edges.emplace_back(mesh.triangles[i][k], mesh.triangles[i][(k + 1) % 3]);
   }
   std::sort(edges.begin(), edges.end());
   for (std::size_t i = 0; i < edges.size(); ++i) {
@@ -115,14 +119,14 @@ inline std::string defectOf(const Mesh& mesh, std::size_t materialCount) {
     }
   }
   for (const auto& part : partsOf(mesh)) {
-    if (!(volumeOf(mesh, part) > 0)) return "a part of " + std::to_string(part.size()) + " triangles is inside out";
+    if (!twoSided(part.front()) && !(volumeOf(mesh, part) > 0)) return "a part of " + std::to_string(part.size()) + " triangles is inside out";
   }
   return {};
 }
 
 inline std::string defectOf(const Scene& scene) {
   for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
-    const std::string defect = defectOf(scene.meshes[i], scene.materials.size());
+    const std::string defect = defectOf(scene.meshes[i], scene.materials);
     if (!defect.empty()) return "mesh " + std::to_string(i) + ": " + defect;
   }
   return {};
