@@ -6,7 +6,15 @@ namespace dimline {
 
 namespace {
 
-constexpr std::array kModels = {BuiltInModel{"house", defineHouse}};
+constexpr std::array kModels = {
+    BuiltInModel{"house", defineHouse},
+    BuiltInModel{"parthenon", defineParthenon},
+    BuiltInModel{"candler", defineCandler},
+    BuiltInModel{"facade", defineFacade},
+    BuiltInModel{"floor-area-linear", defineLinearTower},
+    BuiltInModel{"floor-area-tapered", defineTaperedTower},
+    BuiltInModel{"floor-area-stepped", defineSteppedTower},
+};
 
 }  // namespace
 

@@ -21,5 +21,11 @@ Result<Model> findBuiltInModel(std::string_view name);
 
 // One file each.
 ModelDefinition defineHouse();
+ModelDefinition defineParthenon();
+ModelDefinition defineCandler();
+ModelDefinition defineFacade();
+ModelDefinition defineLinearTower();
+ModelDefinition defineTaperedTower();
+ModelDefinition defineSteppedTower();
 
 }  // namespace dimline
