@@ -8,6 +8,7 @@ namespace {
 
 constexpr std::array kModels = {
     BuiltInModel{"house", defineHouse},
+    BuiltInModel{"lever", defineLever},
     BuiltInModel{"parthenon", defineParthenon},
     BuiltInModel{"candler", defineCandler},
     BuiltInModel{"facade", defineFacade},
