@@ -8,6 +8,7 @@ namespace {
 
 constexpr std::array kModels = {
     BuiltInModel{"house", defineHouse},
+    BuiltInModel{"helix-house", defineHelixHouse},
     BuiltInModel{"lever", defineLever},
     BuiltInModel{"parthenon", defineParthenon},
     BuiltInModel{"candler", defineCandler},

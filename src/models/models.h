@@ -21,6 +21,7 @@ Result<Model> findBuiltInModel(std::string_view name);
 
 // One file each.
 ModelDefinition defineHouse();
+ModelDefinition defineHelixHouse();
 ModelDefinition defineLever();
 ModelDefinition defineParthenon();
 ModelDefinition defineCandler();

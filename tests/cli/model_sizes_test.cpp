@@ -12,6 +12,7 @@ struct PaperModel {
   std::size_t parameters, triangles, baseLines, clusteredBaseLines, clusters;
 };
 constexpr PaperModel kPaperModels[] = {
+    {"helix-house", 13, 1495, 210, 80, 22},
     {"lever", 7, 1178, 45, 36, 10},
 };
 
