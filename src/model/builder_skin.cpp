@@ -45,7 +45,8 @@ struct Quad {
 
 /// Six times the volume between a quad's two triangles and the origin.
 double sixVolumes(const MeshBuilder& mesh, const std::array<std::uint32_t, 4>& q, const Vec3& origin) {
-  const Vec3 a = mesh.at(q[0]) - origin, b = mesh.at(q[1]) - origin, c = mesh.at(q[2]) - origin, d = mesh.at(q[3]) - origin;
+  const Vec3 a = mesh.at(q[0]) - origin, b = mesh.at(q[1]) - origin, c = mesh.at(q[2]) - origin,
+             d = mesh.at(q[3]) - origin;
   return glm::dot(a, glm::cross(b, c)) + glm::dot(a, glm::cross(c, d));
 }
 
@@ -156,7 +157,9 @@ void Builder::sheet(std::span<const std::vector<Vec3>> input, double thicknessM,
       const std::size_t here = i * columns + j;
       grid.push_back(toMesh(input[i][j]));
       same[here] = here;
-      const auto meets = [&](std::size_t other) { return glm::length(grid[here] - grid[other]) <= MeshBuilder::kWeldM; };
+      const auto meets = [&](std::size_t other) {
+        return glm::length(grid[here] - grid[other]) <= MeshBuilder::kWeldM;
+      };
       if (j > 0 && meets(here - 1)) {
         same[here] = same[here - 1];
       } else if (i > 0 && meets(here - columns)) {

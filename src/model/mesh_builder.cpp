@@ -91,7 +91,8 @@ void MeshBuilder::smooth(double creaseRad) {
   const std::size_t count = mesh_.triangles.size() - firstTriangle_;
   const double least = std::cos(creaseRad);
   // Corner 3 t + k is corner k of the part's triangle t.
-  std::vector<Vec3> faces(count), pulls(3 * count);
+  std::vector<Vec3> faces(count);
+  std::vector<double> weights(3 * count);
   std::vector<std::uint32_t> firstAt(points_.size() + 1, 0), around(3 * count);
   const auto pointOf = [&](std::size_t corner) {
     return mesh_.triangles[firstTriangle_ + corner / 3][corner % 3] - firstPoint_;
@@ -104,7 +105,7 @@ void MeshBuilder::smooth(double creaseRad) {
     for (std::size_t k = 0; k < 3; ++k) {
       // Weights after Max (1999): exact on a sphere, however it is cut into triangles.
       const Vec3 a = p[(k + 1) % 3] - p[k], b = p[(k + 2) % 3] - p[k];
-      pulls[3 * t + k] = faces[t] * (area / std::max(glm::dot(a, a) * glm::dot(b, b), 1e-30));
+      weights[3 * t + k] = area / std::max(glm::dot(a, a) * glm::dot(b, b), 1e-30);
       ++firstAt[pointOf(3 * t + k) + 1];
     }
   }
@@ -125,7 +126,7 @@ void MeshBuilder::smooth(double creaseRad) {
     Vec3 all(0.0);
     bool one = true;
     for (const std::uint32_t corner : corners) {
-      all += pulls[corner];
+      all += faces[corner / 3] * weights[corner];
       one = one && glm::dot(faces[corner / 3], faces[corners[0] / 3]) >= half;
     }
     for (const std::uint32_t corner : corners) {
@@ -133,7 +134,7 @@ void MeshBuilder::smooth(double creaseRad) {
       if (!one) {
         sum = Vec3(0.0);
         for (const std::uint32_t other : corners) {
-          if (glm::dot(faces[other / 3], faces[corner / 3]) >= least) sum += pulls[other];
+          if (glm::dot(faces[other / 3], faces[corner / 3]) >= least) sum += faces[other / 3] * weights[other];
         }
       }
       write(corner, sum);

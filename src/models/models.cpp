@@ -10,6 +10,7 @@ constexpr std::array kModels = {
     BuiltInModel{"house", defineHouse},
     BuiltInModel{"helix-house", defineHelixHouse},
     BuiltInModel{"lever", defineLever},
+    BuiltInModel{"boat", defineBoat},
     BuiltInModel{"parthenon", defineParthenon},
     BuiltInModel{"candler", defineCandler},
     BuiltInModel{"facade", defineFacade},

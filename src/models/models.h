@@ -23,6 +23,7 @@ Result<Model> findBuiltInModel(std::string_view name);
 ModelDefinition defineHouse();
 ModelDefinition defineHelixHouse();
 ModelDefinition defineLever();
+ModelDefinition defineBoat();
 ModelDefinition defineParthenon();
 ModelDefinition defineCandler();
 ModelDefinition defineFacade();

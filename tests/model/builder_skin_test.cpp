@@ -127,7 +127,9 @@ TEST_CASE("each strip of a skin may have its own material") {
   b.loft(Rows{squareRib(0, 1), squareRib(3, 1)}, options);
   const Scene scene = b.finish();
   REQUIRE(scene.meshes.size() == 1);
-  const auto count = [&](MaterialId id) { return std::count(scene.meshes[0].materials.begin(), scene.meshes[0].materials.end(), id); };
+  const auto count = [&](MaterialId id) {
+    return std::count(scene.meshes[0].materials.begin(), scene.meshes[0].materials.end(), id);
+  };
   CHECK(count(red) == 2);
   CHECK(count(green) == 2);
   CHECK(count(b.material()) == 0);
@@ -145,7 +147,7 @@ TEST_CASE("a skin's uv follow the ribs' points and are metres where the skin is 
       greatestV = std::max(greatestV, uv.y);
     }
   }
-  CHECK(greatestU == Approx(16));                      // around the larger rib
+  CHECK(greatestU == Approx(16));                    // around the larger rib
   CHECK(greatestV == Approx(std::sqrt(9 + 1 + 1)));  // along a slanting edge
 }
 

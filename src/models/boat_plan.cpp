@@ -1,0 +1,150 @@
+#include "models/boat_plan.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace dimline::boat {
+
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+constexpr double kMidship = 0.54;   // where along u the hull is broadest
+constexpr double kSternRake = 0.2;  // how far the stern leans aft in a metre
+constexpr double kForefoot = 0.84;  // where the keel ends and the stem begins, as a share of the length
+
+double mix(double a, double b, double t) { return a + (b - a) * t; }
+
+double smoothStep(double low, double high, double x) {
+  const double t = std::clamp((x - low) / (high - low), 0.0, 1.0);
+  return t * t * (3 - 2 * t);
+}
+
+/// Sails from the deck up: where yards and feet are, as shares of the mast's height.
+std::vector<SquareSail> squareSails(const Mast& mast, double width, double topsail, double belly) {
+  std::vector<SquareSail> sails(3);
+  const double y = mast.deckY, h = mast.height;
+  const double courseHead = mix(width, topsail, 0.3);
+  sails[0] = {y + 0.40 * h, y + 0.08 * h + 1.6, courseHead, width, belly};
+  sails[1] = {y + 0.70 * h, y + 0.435 * h, topsail, courseHead * 0.96, belly * 0.85};
+  sails[2] = {y + 0.895 * h, y + 0.725 * h, topsail * mix(topsail / width, 1, 0.4), topsail * 0.95, belly * 0.55};
+  return sails;
+}
+
+Mast lateenMast(const Plan& plan, double x, double height, double yard, int shrouds) {
+  Mast mast;
+  mast.x = x;
+  mast.height = height;
+  mast.lateenYard = yard;
+  mast.shrouds = shrouds;
+  mast.radius = 0.007 * height + 0.11;
+  mast.deckY = plan.hull.sideAt(x, plan.deckH(x)).y;
+  mast.channelH = plan.deckH(x) + 0.35;
+  return mast;
+}
+
+Mast squareMast(const Plan& plan, double x, double height, int shrouds) {
+  Mast mast = lateenMast(plan, x, height, 0, shrouds);
+  mast.radius = 0.0085 * height + 0.1;
+  mast.channelH = plan.hull.depth + 0.55;
+  return mast;
+}
+
+}  // namespace
+
+double HullForm::midship(double h) const {
+  const double half = beam * 0.5, w = wale();
+  if (h < w) return half * std::pow(1 - std::pow(1 - std::max(h, 0.0) / w, 2.5), 1 / 2.5);
+  // Tumblehome: the sides lean inwards above the wale, most of it in the middle of their height.
+  return half * (1 - 0.42 * (1 - std::exp(-std::pow((h - w) / (0.95 * depth), 1.6))));
+}
+
+double HullForm::rise(double u, double h) const {
+  const double out = (u - 0.5) / 0.5;
+  const double share = std::pow(std::clamp(h / depth, 0.0, 1.0), 1.2);
+  return sheer * share * out * out * (out > 0 ? 0.8 : 1.0);
+}
+
+double HullForm::sternX(double h) const { return kSternRake * (depth + rise(0, depth) - h - rise(0, h)); }
+
+double HullForm::stemX(double h) const {
+  const double t = 1 - std::clamp(h / depth, 0.0, 1.0);
+  return length * mix(kForefoot, 1, std::sqrt(std::max(1 - t * t, 0.0)));
+}
+
+Vec3 HullForm::side(double u, double h) const {
+  const double level = std::clamp(h / depth, 0.0, 1.0);
+  const double broadest = midship(h);
+  double z = 0;
+  if (u < kMidship) {
+    const double s = (kMidship - u) / kMidship;
+    const double transom = broadest * 0.7 * std::sqrt(smoothStep(tuck(), 0.95 * depth, h));
+    z = transom + (broadest - transom) * std::pow(1 - std::pow(s, mix(1.7, 2.3, level)), mix(1.35, 1, level));
+  } else {
+    const double s = (u - kMidship) / (1 - kMidship);
+    z = broadest * std::pow(1 - std::pow(s, mix(1.6, 2.7, std::pow(level, 0.8))), mix(1.1, 0.6, level));
+  }
+  return {mix(sternX(h), stemX(h), u), h + rise(u, h), z};
+}
+
+double HullForm::uAt(double x, double h) const {
+  return std::clamp((x - sternX(h)) / (stemX(h) - sternX(h)), 0.0, 1.0);
+}
+
+double Plan::railH(double x) const { return deckH(x) + kBulwark; }
+
+double Plan::deckH(double x) const {
+  double h = hull.depth;
+  for (const Deck& deck : stern) {
+    if (x < deck.toX) h = std::max(h, deck.h);
+  }
+  return x > forecastle.fromX && x < forecastle.toX ? std::max(h, forecastle.h) : h;
+}
+
+Plan planBoat(const Values& values) {
+  Plan plan;
+  HullForm& hull = plan.hull;
+  hull = {values.at(kLength), values.at(kBeam), values.at(kDepth), values.at(kSheer), values.at(kDraught)};
+  plan.beak = values.at(kBeakLength);
+  const double length = hull.length;
+
+  plan.forecastle = {hull.depth + values.at(kForecastleHeight), length - values.at(kForecastleLength), length - 1.1};
+  plan.sternDeckHeight = values.at(kSternDeckHeight);
+  const double reach[] = {0.40, 0.275, 0.15};
+  for (int i = 0; i < static_cast<int>(values.at(kSternDecks)); ++i) {
+    plan.stern.push_back({hull.depth + (i + 1) * plan.sternDeckHeight, 0, reach[i] * length});
+    plan.stern.back().fromX = hull.sternX(plan.stern.back().h);
+  }
+  plan.gallery = values.at(kGalleryDepth);
+
+  const double topsail = values.at(kTopsailWidth), belly = values.at(kSailBelly);
+  const double foreWidth = values.at(kForeSailWidth), mainWidth = values.at(kMainSailWidth);
+  plan.fore = squareMast(plan, length - 0.56 * values.at(kForecastleLength), values.at(kForeMastHeight), 5);
+  plan.fore.sails = squareSails(plan.fore, foreWidth, topsail * foreWidth / mainWidth, belly * 0.9);
+  plan.main = squareMast(plan, 0.515 * length, values.at(kMainMastHeight), 6);
+  plan.main.sails = squareSails(plan.main, mainWidth, topsail, belly);
+  if (length >= kMizzenFromLength) {
+    const double height = values.at(kMizzenMastHeight);
+    plan.mizzen = lateenMast(plan, 0.235 * length, height, 0.88 * height, 4);
+  }
+  if (length >= kBonaventureFromLength) {
+    const double height = values.at(kBonaventureMastHeight);
+    plan.bonaventure = lateenMast(plan, 0.075 * length, height, 0.88 * height, 3);
+  }
+
+  plan.bowspritLength = values.at(kBowspritLength);
+  plan.steeveRad = values.at(kBowspritSteeve) * kPi / 180;
+  plan.bowspritFoot = {length - 1.1, hull.side(1, hull.depth).y + 0.75, 0};
+  plan.bowspritTip =
+      plan.bowspritFoot + Vec3(std::cos(plan.steeveRad), std::sin(plan.steeveRad), 0) * plan.bowspritLength;
+
+  Battery& battery = plan.battery;
+  battery.fromX = 0.15 * length;
+  const double run = 0.69 * length;
+  battery.bays = repeatCount(run, values.at(kGunPortSpacing));
+  battery.spacing = run / battery.bays;
+  battery.h = 0.64 * hull.depth;
+  plan.gunsRunOut = values.at(kGunsRunOut) != 0;
+  return plan;
+}
+
+}  // namespace dimline::boat
