@@ -56,6 +56,7 @@ Status Editor::setModel(Model model) {
   s.loaded = true;
   s.placer.forget();
   s.fieldSource.forgetTimes();
+  s.visibilitySource.forgetTimes();
   s.clearLines();
   s.hovered.reset();
   s.hoveredBefore.reset();
@@ -260,6 +261,7 @@ std::vector<EditorEvent> Editor::takeEvents() { return std::exchange(state_->eve
 
 void Editor::setFieldsFrom(FieldsFrom from) {
   state_->fieldSource.setFrom(from);
+  state_->visibilitySource.setFrom(from);
   state_->viewStale = true;
 }
 Editor::FieldsFrom Editor::fieldsFrom() const { return state_->fieldSource.from(); }

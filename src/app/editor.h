@@ -133,7 +133,7 @@ class Editor {
   std::vector<EditorEvent> takeEvents();
 
   enum class FieldsFrom : std::uint8_t { kAuto, kCpu, kGpu };
-  /// Which producer measures the fields; kAuto measures both on this machine and takes the faster.
+  /// Which producer measures the fields, and which scopes are seen; kAuto measures both on this machine and takes the faster, for either.
   void setFieldsFrom(FieldsFrom from);
   [[nodiscard]] FieldsFrom fieldsFrom() const;
   /// For tests and diagnosis: the present view's fields, measured by one producer while the caller waits. Nothing without a model or a size, or when it is the

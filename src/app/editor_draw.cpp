@@ -22,6 +22,7 @@ Status Editor::attachRenderer() {
 void Editor::detachRenderer() {
   state_->renderer.reset();
   state_->fieldSource.rendererGone();
+  state_->visibilitySource.rendererGone();
   state_->viewStale = true;
 }
 

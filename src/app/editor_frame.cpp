@@ -17,6 +17,10 @@ constexpr double kHoverScale = 1.35;
 /// changes slowly. At rest it is always that of the present view.
 constexpr double kVisibilityIntervalMs = 60.0;
 
+/// ms. The GPU's answers are dropped when the model changes. While it changes in each frame, none arrives, and the CPU
+/// is asked after so long.
+constexpr double kVisibilityPatienceMs = 250.0;
+
 }  // namespace
 
 bool Editor::frame(double nowMs) {
@@ -50,6 +54,7 @@ void Editor::State::rebuild() {
   scene = model.definition.build(values);
   placer.setScene(model, scene);
   fieldSource.setScene(scene);
+  visibilitySource.sceneChanged();
   sceneStale = false;
   viewStale = true;
   rendererSceneStale = true;
@@ -60,12 +65,23 @@ void Editor::State::rebuild() {
 void Editor::State::measureAndPlace(const View& view) {
   uploadScene();
   const bool moved = std::exchange(viewStale, false);
-  if (moved) visibilityStale = true;
+  if (moved) {
+    if (!visibilityStale) visibilityStaleMs = nowMs;
+    visibilityStale = true;
+    visibilitySource.viewChanged();
+  }
+  const auto seen = visibilitySource.poll(renderer.get());
+  if (seen != VisibilitySource::Arrival::kNone) {
+    visibilityStaleMs = nowMs;
+    timings.visibilityMs = visibilitySource.measuredMs();
+  }
+  const bool seenNow = seen == VisibilitySource::Arrival::kPresent;
+  if (seenNow) visibilityStale = false;
   const bool arrived = fieldSource.update(view, moved, devicePixelRatio, renderer.get());
   if (arrived) {
     timings.fieldsMs = fieldSource.measuredMs();
     placeOn(fieldSource.view(), moved);
-  } else if (!moved && visibilityStale && fieldSource.current()) {
+  } else if (!moved && fieldSource.current() && (seenNow || (visibilityStale && !visibilitySource.awaiting()))) {
     placeOn(fieldSource.view(), false);
   } else if (moved && placedOnce && fieldSource.fields().widthPx == static_cast<int>(std::ceil(widthPx)) &&
              fieldSource.fields().heightPx == static_cast<int>(std::ceil(heightPx))) {
@@ -75,16 +91,22 @@ void Editor::State::measureAndPlace(const View& view) {
   }
 }
 
+/// Which scopes are seen: at once where the last answer will not do, otherwise when it is due.
+void Editor::State::measureVisibility(const View& view, bool moving) {
+  const bool fits = visibilitySource.seen().seenShare.size() == scene.scopes.size();
+  const bool late = visibilityStale && nowMs - visibilityStaleMs >= kVisibilityPatienceMs;
+  const bool atOnce = !fits || recall || !placedOnce || late;
+  const bool due = !moving || restedLastFrame || nowMs - visibilityAskedMs >= kVisibilityIntervalMs;
+  if (!atOnce && !(due && visibilityStale)) return;
+  visibilityAskedMs = nowMs;
+  if (!visibilitySource.measure(scene, view, renderer.get(), atOnce, fieldSource.current())) return;
+  visibilityStaleMs = nowMs;
+  visibilityStale = !fieldSource.current();
+  timings.visibilityMs = visibilitySource.measuredMs();
+}
+
 void Editor::State::placeOn(const View& view, bool moving) {
-  const Stopwatch watch;
-  const bool fits = scopesSeen.seenShare.size() == scene.scopes.size();
-  if (!moving || !fits || recall || !placedOnce || restedLastFrame ||
-      nowMs - visibilityMeasuredMs >= kVisibilityIntervalMs) {
-    visibility.measure(scene, view, scopesSeen);
-    visibilityMeasuredMs = nowMs;
-    visibilityStale = !fieldSource.current();
-    timings.visibilityMs = watch.ms();
-  }
+  measureVisibility(view, moving);
   const Stopwatch placeWatch;
   if (recall) {
     placer.recall(*recall);
@@ -92,7 +114,7 @@ void Editor::State::placeOn(const View& view, bool moving) {
   }
   const auto held = drag && drag->line() ? drag->line()->lineOn(scene, values, view) : std::nullopt;
   const bool inChain = held && held->chain >= 0;
-  placer.place(view, fieldSource.fields(), values, placed, &scopesSeen, held && !inChain ? &*held : nullptr);
+  placer.place(view, fieldSource.fields(), values, placed, &visibilitySource.seen(), held && !inChain ? &*held : nullptr);
   if (inChain) holdMember(*held);
   if (drag && drag->arc()) {
     if (const auto arc = drag->arc()->handleOn(values, view)) holdArc(*arc);

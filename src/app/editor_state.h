@@ -10,13 +10,13 @@
 #include "app/line_animator.h"
 #include "app/orbit_controls.h"
 #include "app/quality_governor.h"
+#include "app/visibility_source.h"
 #include "editing/arc_drag.h"
 #include "editing/handle_drag.h"
 #include "editing/handle_hit.h"
 #include "editing/undo_history.h"
 #include "placement/placer.h"
 #include "render/renderer.h"
-#include "silhouette/scope_visibility.h"
 
 // What an Editor is made of; private to the editor's own files. editor.cpp keeps the document, its viewport and its
 // camera, editor_input.cpp turns pointers into gestures, editor_frame.cpp makes frames, editor_draw.cpp draws them.
@@ -102,10 +102,10 @@ struct Editor::State {
   // --- Frames ---
   double nowMs = 0;
   FieldSource fieldSource;
-  CpuVisibility visibility;
-  ScopeVisibility scopesSeen;
-  bool visibilityStale = true;  ///< `scopesSeen` is of an earlier view or scene
-  double visibilityMeasuredMs = 0;
+  VisibilitySource visibilitySource;
+  bool visibilityStale = true;  ///< what it has seen is of an earlier view or scene
+  double visibilityAskedMs = 0;
+  double visibilityStaleMs = 0;  ///< since when there was no answer, not even of an earlier view
   bool restedLastFrame = true;
   Placer placer;
   Layout placed;  ///< as the placer gave it, with the dragged line held
@@ -162,6 +162,7 @@ struct Editor::State {
   // editor_frame.cpp
   void rebuild();
   void measureAndPlace(const View& view);
+  void measureVisibility(const View& view, bool moving);
   void placeOn(const View& view, bool moving);
   void holdMember(const PlacedLine& held);
   void holdArc(const PlacedHandle& held);

@@ -37,7 +37,24 @@ Renderer::Renderer(std::unique_ptr<GlContext> context, GpuFields fields)
 Status Renderer::setScene(const Scene& scene) {
   shown_.reset();
   scene_.upload(scene);
+  visibilitySceneStale_ = true;
   return sceneRenderer_.sceneChanged(scene, scene_);
+}
+
+std::uint64_t Renderer::requestVisibility(const Scene& scene, const View& view) {
+  if (!visibility_ && !visibilityRefused_) {
+    Result<GpuVisibility> made = GpuVisibility::make(*context_);
+    if (made) visibility_.emplace(std::move(made).value());
+    visibilityRefused_ = !visibility_;
+  }
+  if (!visibility_) return 0;
+  if (visibilitySceneStale_) visibility_->setScene(scene);
+  visibilitySceneStale_ = false;
+  return visibility_->request(scene_, view);
+}
+
+std::optional<std::uint64_t> Renderer::pollVisibility(ScopeVisibility& visibility) {
+  return visibility_ && !visibilitySceneStale_ ? visibility_->poll(visibility) : std::nullopt;
 }
 
 bool Renderer::shows(const Shown& wanted) const {

@@ -7,6 +7,7 @@
 #include "core/result.h"
 #include "gpu/gpu_fields.h"
 #include "gpu/gpu_scene.h"
+#include "gpu/gpu_visibility.h"
 #include "math/camera.h"
 #include "render/overlay.h"
 #include "render/overlay_renderer.h"
@@ -47,6 +48,11 @@ class Renderer {
   std::uint64_t requestFields(const View& view, double devicePixelRatio) { return fields_.request(scene_, view, devicePixelRatio); }
   [[nodiscard]] GpuFields& fields() { return fields_; }
 
+  /// How much of each scope of `scene`, the one of setScene(), is seen, measured in this context; as GpuVisibility describes it. 0 also when the driver does
+  /// not take its shaders, which are compiled at the first call.
+  std::uint64_t requestVisibility(const Scene& scene, const View& view);
+  std::optional<std::uint64_t> pollVisibility(ScopeVisibility& visibility);
+
   [[nodiscard]] const GlContext& context() const { return *context_; }
 
   /// The context is lost: no GL call is made from here on. Destroy the renderer; make another when there is a context again, and give it the scene.
@@ -71,6 +77,9 @@ class Renderer {
   std::unique_ptr<GlContext> context_;   // first: outlives everything made with it
   GpuScene scene_;
   GpuFields fields_;
+  std::optional<GpuVisibility> visibility_;
+  bool visibilityRefused_ = false;      ///< the driver does not take its shaders
+  bool visibilitySceneStale_ = true;
   SceneRenderer sceneRenderer_;
   OverlayRenderer overlayRenderer_;
   PictureTarget target_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 // Depth after division by w is linear on screen for perspective and orthographic cameras alike, so a triangle is a plane in (x, y, depth) and a sample's
 // depth is a sum of two products. Triangles are walked row by row between their left and right sides.
@@ -49,11 +50,14 @@ void walk(const Corner& a, const Corner& b, const Corner& c, int width, int heig
 
 }  // namespace
 
+std::pair<int, int> DepthBuffer::sizeFor(const View& view, int maxSide) {
+  const double scale = std::min(1.0, maxSide / std::max(view.widthPx(), view.heightPx()));
+  return {std::max(1, static_cast<int>(std::lround(view.widthPx() * scale))), std::max(1, static_cast<int>(std::lround(view.heightPx() * scale)))};
+}
+
 void DepthBuffer::reset(const View& view, int maxSide) {
   view_ = view;
-  const double scale = std::min(1.0, maxSide / std::max(view.widthPx(), view.heightPx()));
-  width_ = std::max(1, static_cast<int>(std::lround(view.widthPx() * scale)));
-  height_ = std::max(1, static_cast<int>(std::lround(view.heightPx() * scale)));
+  std::tie(width_, height_) = sizeFor(view, maxSide);
   depth_.assign(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_), 1.0F);
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <utility>
 #include <vector>
 
 #include "math/camera.h"
@@ -12,6 +13,9 @@ namespace dimline {
 /// resolution is its own, not the viewport's.
 class DepthBuffer {
  public:
+  /// Samples along x and y of a buffer over the view's whole viewport, never finer than its pixels.
+  static std::pair<int, int> sizeFor(const View& view, int maxSide);
+
   /// A buffer over the view's whole viewport, at most `maxSide` samples along its longer side. Empty: everything at the far end.
   void reset(const View& view, int maxSide);
 

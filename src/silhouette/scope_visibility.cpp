@@ -26,11 +26,10 @@ float seenShare(const Obb& box, const View& view, const DepthBuffer& depth, doub
       total.seen += seen.seen;
     }
   }
+  const auto samples = static_cast<std::size_t>(depth.width()) * static_cast<std::size_t>(depth.height());
   if (total.covered > 0) {
-    const double plenty = std::max(1.0, kPlentySeenShare * depth.width() * depth.height());
-    return static_cast<float>(std::min(1.0, total.seen / std::min(static_cast<double>(total.covered), plenty)));
+    return seenShareOf({static_cast<std::uint32_t>(total.covered), static_cast<std::uint32_t>(total.seen), false}, samples);
   }
-  // A box between the samples: its middle stands for it.
   const Vec3 middle = box.center();
   if (!view.inFrontOfNear(middle)) return 0.0F;
   const Vec3 nearer = middle - view.directionTo(middle) * skinM;
@@ -39,10 +38,16 @@ float seenShare(const Obb& box, const View& view, const DepthBuffer& depth, doub
   if (std::abs(ndc.x) >= 1 || std::abs(ndc.y) >= 1) return 0.0F;
   const int x = static_cast<int>((ndc.x * 0.5 + 0.5) * depth.width());
   const int y = static_cast<int>((0.5 - ndc.y * 0.5) * depth.height());
-  return ndc.z <= static_cast<double>(depth.at(x, y)) ? 1.0F : 0.0F;
+  return seenShareOf({0, 0, ndc.z <= static_cast<double>(depth.at(x, y))}, samples);
 }
 
 }  // namespace
+
+float seenShareOf(const ScopeSamples& samples, std::size_t viewportSamples) {
+  if (samples.covered == 0) return samples.middleSeen ? 1.0F : 0.0F;
+  const double plenty = std::max(1.0, kPlentySeenShare * static_cast<double>(viewportSamples));
+  return static_cast<float>(std::min(1.0, samples.seen / std::min(static_cast<double>(samples.covered), plenty)));
+}
 
 void CpuVisibility::measure(const Scene& scene, const View& view, ScopeVisibility& visibility) {
   depth_.reset(view, kVisibilitySamples);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "silhouette/depth_buffer.h"
@@ -14,6 +15,16 @@ namespace dimline {
 struct ScopeVisibility {
   std::vector<float> seenShare;
 };
+
+/// What either producer counts of a scope's box, in samples of the model's depth.
+struct ScopeSamples {
+  std::uint32_t covered = 0;   ///< by the faces that look to the viewer, within the viewport
+  std::uint32_t seen = 0;      ///< of those
+  bool middleSeen = false;     ///< whether the box's middle is; it stands for a box between the samples
+};
+
+/// The share that follows, for a depth buffer of that many samples.
+float seenShareOf(const ScopeSamples& samples, std::size_t viewportSamples);
 
 /// Measures visibility on the CPU: the model into a depth buffer of at most kVisibilitySamples along its longer side, then every scope's box against it.
 /// Cost grows with the triangles of the model.

@@ -131,3 +131,39 @@ test("the page can be told which producer to use", async () => {
     assert.match(message, /abacus/);
   });
 });
+
+test("the GPU sees the same scopes as the CPU, comes to rest, and keeps up with a moving camera", async () => {
+  await withBrowser(async (browser) => {
+    const { page, complaints } = await openPage(browser, { width: 840, height: 456 });
+    const cameras = makeCameras().filter((_, i) => i % 8 === 0);
+    const seenFrom = async (producer) => {
+      await page.evaluate((name) => (document.querySelector("dimline-editor").fieldsFrom = name), producer);
+      const seen = [];
+      for (const camera of cameras) {
+        await call(page, "setCamera", camera);
+        await settle(page);
+        seen.push((await call(page, "layout")).visible.map(([name, index]) => `${name} ${index}`).sort());
+      }
+      return seen;
+    };
+    const [cpu, gpu] = [await seenFrom("cpu"), await seenFrom("gpu")];
+    cameras.forEach((_, i) => {
+      const apart = [...cpu[i].filter((s) => !gpu[i].includes(s)), ...gpu[i].filter((s) => !cpu[i].includes(s))];
+      // A scope of which little is seen may be on either side of the threshold.
+      assert.ok(cpu[i].length > 3 && apart.length <= 0.03 * cpu[i].length + 1, `camera ${i}: ${apart}`);
+    });
+    // Twenty views, one a frame, without waiting for any; then the last one's scopes are shown.
+    const last = await page.evaluate(async (list) => {
+      const editor = document.querySelector("dimline-editor");
+      for (let i = 0; i < 20; ++i) {
+        editor.setCamera(list[i % list.length]);
+        await new Promise(requestAnimationFrame);
+      }
+      editor.setCamera(list[2]);
+      await editor.settled();
+      return editor.layout().visible.length;
+    }, cameras);
+    assert.ok(Math.abs(last - gpu[2].length) <= 0.03 * gpu[2].length + 1, `${last} scopes, not ${gpu[2].length}`);
+    assert.deepEqual(complaints, []);
+  });
+});
