@@ -81,7 +81,7 @@ void drawArchHead(const Candler& c) {
 
 /// Scope: a storey's stretch of wall between two corners, in the plane of the wall's face. What lies behind the piers' faces runs through
 /// behind the piers.
-void drawStorey(const Candler& c, Infill infill, int bays) {
+void drawStorey(const Candler& c, Infill infill, PartId archHead, int bays) {
   Builder& b = c.b;
   const double w = c.plan.windowWidth, h = c.plan.windowHeight, below = c.plan.spandrelHeight(), length = bays * kBay;
   b.translate({0, kSill, -kReveal});
@@ -107,7 +107,7 @@ void drawStorey(const Candler& c, Infill infill, int bays) {
       }
       if (infill == Infill::kArched) {
         b.translate({0, 0, kReveal});
-        drawArchHead(c);
+        b.place(archHead);
       }
     });
   }
@@ -115,12 +115,13 @@ void drawStorey(const Candler& c, Infill infill, int bays) {
 
 void placeStoreys(const Candler& c) {
   Builder& b = c.b;
+  const PartId archHead = b.part(Vec3(0.0), [&] { drawArchHead(c); });
   std::array<std::array<PartId, 2>, 3> parts{};
   for (const Infill infill : {Infill::kPlain, Infill::kPanelled, Infill::kArched}) {
     for (const bool side : {false, true}) {
       const int bays = side ? kSideBays : kFrontBays;
       parts[static_cast<std::size_t>(infill)][side] =
-          b.part({bays * kBay, c.plan.floorHeight, 0}, [&] { drawStorey(c, infill, bays); });
+          b.part({bays * kBay, c.plan.floorHeight, 0}, [&] { drawStorey(c, infill, archHead, bays); });
     }
   }
   for (int s = 0; s < kUpperStoreys; ++s) {

@@ -25,12 +25,13 @@ namespace {
 constexpr double kFriezeBottom = 0.5, kDentils = 1.5, kModillions = 2.0, kSoffit = 2.8, kCyma = 3.2;
 constexpr double kDentilBack = 0.2, kModillionBack = 0.5;
 
-/// A row of teeth along a front of that length.
+/// Some teeth of the row, over that length.
+constexpr int kTeeth = 7;
 PartId makeDentils(const Candler& c, double length) {
   Builder& b = c.b;
-  return b.part({length + 2 * kDentilBack, kModillions - kDentils - 0.16, 0.2}, [&] {
+  return b.part({length, kModillions - kDentils - 0.16, 0.2}, [&] {
     b.material(c.m.carved);
-    b.repeat(Axis::kX, 0.52, [&](int, int) { b.box({0.1, 0, 0}, {b.size().x - 0.2, b.size().y, 0.2}); });
+    b.repeat(Axis::kX, length / kTeeth, [&](int, int) { b.box({0.1, 0, 0}, {b.size().x - 0.2, b.size().y, 0.2}); });
   });
 }
 
@@ -93,7 +94,7 @@ void drawCornice(const Candler& c) {
   // Architrave, which closes the wall above the last windows, and frieze.
   const double head = -(c.plan.floorHeight - kSill - c.plan.windowHeight);
   drawBand(c, top, c.m.marble,
-           {{-kWallDepth, head}, {0.02, head}, {0.06, -0.1}, {0.06, 0.2}, {0.14, 0.2}, {0.22, 0.42}, {0.22, kFriezeBottom}, {0.03, kFriezeBottom},
+           {{-kWallDepth, head}, {0.06, head}, {0.06, 0.2}, {0.14, 0.2}, {0.22, 0.42}, {0.22, kFriezeBottom}, {0.03, kFriezeBottom},
             {0.03, kDentils - 0.25}, {0.1, kDentils - 0.25}, {kDentilBack, kDentils}, {-kWallDepth, kDentils}});
   const double corona = over - 0.4;
   Ring cornice{{-0.4, kDentils}, {kDentilBack, kDentils}, {kDentilBack, kModillions - 0.16}, {0.46, kModillions - 0.14}, {kModillionBack, kModillions},
@@ -104,13 +105,17 @@ void drawCornice(const Candler& c) {
   drawBand(c, top, c.m.carved, cornice);
 
   const PartId modillion = makeModillion(c, corona - 0.14 - kModillionBack);
-  const std::array<PartId, 2> dentils{makeDentils(c, c.plan.width()), makeDentils(c, c.plan.depth())};
-  b.faces(kSideFaces, [&](Face face) {
+  b.faces(kSideFaces, [&](Face) {
     b.translate({0, top, 0});
     const double length = b.size().x;
     b.push([&] {
       b.translate({-kDentilBack, kDentils, kDentilBack});
-      b.place(dentils[face == Face::kFront || face == Face::kBack ? 0 : 1]);
+      b.scale(Axis::kX, length + 2 * kDentilBack);
+      PartId dentils = 0;
+      b.repeat(Axis::kX, 0.5 * kTeeth, [&](int i, int) {
+        if (i == 0) dentils = makeDentils(c, b.size().x);
+        b.place(dentils);
+      });
     });
     b.push([&] {
       b.translate({-kModillionBack, kModillions, kModillionBack});

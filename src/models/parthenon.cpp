@@ -202,13 +202,13 @@ void drawCella(const Parthenon& t) {
       b.box({x - 0.16, top - beam - 0.35, z - 0.08}, {kWall + 0.32, 0.35, 1.14});
     }
   }
+  const PartId column = makeColumn(t, r, top - beam, 0.87 * p.capitalHeight);
   b.faces(std::array{Face::kFront, Face::kBack}, [&](Face) {
     b.push([&] {
       b.translate({from + 0.5 * kWall, 0, -wall - kWall});
       b.scale({w - 2 * from - kWall, top - beam, kWall});
       drawDoorWall(t);
     });
-    const PartId column = makeColumn(t, r, top - beam, 0.87 * p.capitalHeight);
     const double bay = (w - 2 * from - 2.2 * r) / (kPorchColumns - 1);
     for (int i = 0; i < kPorchColumns; ++i) {
       b.push([&] {

@@ -52,6 +52,6 @@ void drawRoof(const Parthenon& t);
 /// above y = 0; z = 0 is the middle of the ledge on which they stand.
 PartId makePedimentFigures(const Parthenon& t, double halfM, double riseM);
 /// A palmette on its pedestal, its middle at x = z = 0.
-void drawAcroterion(const Parthenon& t, double widthM, double heightM);
+PartId makeAcroterion(const Parthenon& t, double widthM, double heightM);
 
 }  // namespace dimline::parthenon

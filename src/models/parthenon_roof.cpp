@@ -40,8 +40,13 @@ PartId makeTileRow(const Parthenon& t, double slopeM) {
   });
 }
 
+/// What both gables have.
+struct Ornament {
+  PartId figures, ridgeFlower, cornerFlower;
+};
+
 /// Scope: a gable, x = 0 below the ridge, y = 0 on the geison, z = 0 the roof's edge and pointing out.
-void drawPediment(const Parthenon& t, const RoofPlan& roof) {
+void drawPediment(const Parthenon& t, const RoofPlan& roof, const Ornament& ornament) {
   Builder& b = t.b;
   const double out = t.plan.overhang, slope = roof.rise / roof.half;
   // Tympanum, on the frieze's plane.
@@ -66,14 +71,18 @@ void drawPediment(const Parthenon& t, const RoofPlan& roof) {
     b.material(t.m.shade);
     b.extrudePolygon(Ring{{-roof.half, 0}, {0, roof.rise}, {roof.half, 0}, {roof.half + 0.06, 0.3}, {0, roof.rise + 0.32}, {-roof.half - 0.06, 0.3}});
   });
-  const auto acroterion = [&](double x, double y, double width, double height) {
+  b.push([&] {
+    b.translate({0, 0, -0.5 * out - 0.1});
+    b.place(ornament.figures);
+  });
+  const auto flower = [&](PartId part, double x) {
     b.push([&] {
-      b.translate({x, y, -0.3});
-      drawAcroterion(t, width, height);
+      b.translate({x, (roof.half - std::abs(x)) * slope + kSlab + 0.25, -0.3});
+      b.place(part);
     });
   };
-  acroterion(0, roof.rise + kSlab + 0.25, 2.5, 2.7);
-  for (const double side : {-1.0, 1.0}) acroterion(side * (roof.half - 0.7), kSlab + 0.7 * slope + 0.25, 1.4, 1.6);
+  flower(ornament.ridgeFlower, 0);
+  for (const double side : {-1.0, 1.0}) flower(ornament.cornerFlower, side * (roof.half - 0.7));
 }
 
 }  // namespace
@@ -98,12 +107,10 @@ void drawRoof(const Parthenon& t) {
       b.extrudePolygon(Ring{{-0.28, -0.12}, {0.28, -0.12}, {0.22, 0.12}, {0, 0.24}, {-0.22, 0.12}});
     });
   });
-  const PartId figures = makePedimentFigures(t, roof.half, roof.rise - kRaking);
+  const Ornament ornament{makePedimentFigures(t, roof.half, roof.rise - kRaking), makeAcroterion(t, 2.5, 2.7), makeAcroterion(t, 1.4, 1.6)};
   b.faces(std::array{Face::kFront, Face::kBack}, [&](Face) {
     b.translate({roof.half, 0, 0});
-    drawPediment(t, roof);
-    b.translate({0, 0, -0.5 * p.overhang - 0.1});
-    b.place(figures);
+    drawPediment(t, roof, ornament);
   });
   const PartId row = makeTileRow(t, roof.half / std::cos(p.pitchRad) - 0.15);
   b.faces(std::array{Face::kLeft, Face::kRight}, [&](Face) {

@@ -80,49 +80,52 @@ PartId makePedimentFigures(const Parthenon& t, double halfM, double riseM) {
   };
   constexpr std::array<Figure, 7> kFigures{{{0.07, drawStanding, 0.95}, {0.19, drawStanding, 0.9}, {0.28, drawStanding, 0.93}, {0.37, drawSeated, 0.84},
                                             {0.46, drawSeated, 0.86}, {0.59, drawReclining, 0.72}, {0.74, drawReclining, 0.62}}};
-  // One side's figures are the other's turned about: behind, they are as well made as in front.
   return b.part(Vec3(0.0), [&] {
     b.material(t.m.marble);
     for (const Figure& f : kFigures) {
       const double h = f.height * (riseM * (1 - f.place) - 0.1);
+      const PartId figure = b.part(Vec3(0.0), [&] { f.draw(b, h); });
+      // One side's figures are the other's turned about: behind, they are as well made as in front.
       for (const double side : {-1.0, 1.0}) {
         b.push([&] {
           b.translate({side * f.place * halfM, 0, 0});
           if (side < 0) b.rotate(Axis::kY, std::numbers::pi);
-          f.draw(b, h);
+          b.place(figure);
         });
       }
     }
   });
 }
 
-void drawAcroterion(const Parthenon& t, double widthM, double heightM) {
+PartId makeAcroterion(const Parthenon& t, double widthM, double heightM) {
   Builder& b = t.b;
-  b.material(t.m.marble);
   const double depth = 0.1 * heightM, foot = 0.3 * heightM;
-  b.box({-0.3 * widthM, -0.12, -depth}, {0.6 * widthM, 0.2, 2 * depth});
-  // Two volutes at the foot, from which seven leaves rise in a fan, the middle one highest.
-  for (const double side : {-1.0, 1.0}) {
-    b.push([&] {
-      const double r = 0.13 * heightM;
-      b.translate({side * 0.24 * widthM, 0.08 + r, -0.5 * depth});
-      b.rotate(Axis::kX, std::numbers::pi / 2);
-      b.translate({-r, 0, -r});
-      b.scale({2 * r, depth, 2 * r});
-      b.cylinder({.segments = 14});
-    });
-  }
-  for (int i = -3; i <= 3; ++i) {
-    const double length = (heightM - foot) * (1 - 0.075 * std::abs(i)), wide = 0.085 * widthM, thick = depth * (0.7 + 0.12 * (3 - std::abs(i)));
-    b.push([&] {
-      b.translate({0, foot, -0.5 * thick});
-      b.rotate(Axis::kZ, -0.4 * i);
-      b.scale(Axis::kZ, thick);
-      b.extrudePolygon(Ring{{-0.4 * wide, -0.3 * foot}, {0.4 * wide, -0.3 * foot}, {wide, 0.62 * length}, {0.8 * wide, 0.88 * length}, {0, length},
-                            {-0.8 * wide, 0.88 * length}, {-wide, 0.62 * length}},
-                       Axis::kZ, 0.5);
-    });
-  }
+  return b.part(Vec3(0.0), [&] {
+    b.material(t.m.marble);
+    b.box({-0.3 * widthM, -0.12, -depth}, {0.6 * widthM, 0.2, 2 * depth});
+    // Two volutes at the foot, from which seven leaves rise in a fan, the middle one highest.
+    for (const double side : {-1.0, 1.0}) {
+      b.push([&] {
+        const double r = 0.13 * heightM;
+        b.translate({side * 0.24 * widthM, 0.08 + r, -0.5 * depth});
+        b.rotate(Axis::kX, std::numbers::pi / 2);
+        b.translate({-r, 0, -r});
+        b.scale({2 * r, depth, 2 * r});
+        b.cylinder({.segments = 14});
+      });
+    }
+    for (int i = -3; i <= 3; ++i) {
+      const double length = (heightM - foot) * (1 - 0.075 * std::abs(i)), wide = 0.085 * widthM, thick = depth * (0.7 + 0.12 * (3 - std::abs(i)));
+      b.push([&] {
+        b.translate({0, foot, -0.5 * thick});
+        b.rotate(Axis::kZ, -0.4 * i);
+        b.scale(Axis::kZ, thick);
+        b.extrudePolygon(Ring{{-0.4 * wide, -0.3 * foot}, {0.4 * wide, -0.3 * foot}, {wide, 0.62 * length}, {0.8 * wide, 0.88 * length}, {0, length},
+                              {-0.8 * wide, 0.88 * length}, {-wide, 0.62 * length}},
+                         Axis::kZ, 0.5);
+      });
+    }
+  });
 }
 
 }  // namespace dimline::parthenon
