@@ -8,8 +8,10 @@ namespace {
 
 constexpr std::array kModels = {
     BuiltInModel{"house", defineHouse},
+    BuiltInModel{"single-tree", defineSingleTree},
     BuiltInModel{"helix-house", defineHelixHouse},
     BuiltInModel{"lever", defineLever},
+    BuiltInModel{"omni-tree", defineOmniTree},
     BuiltInModel{"boat", defineBoat},
     BuiltInModel{"parthenon", defineParthenon},
     BuiltInModel{"candler", defineCandler},

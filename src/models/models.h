@@ -21,8 +21,10 @@ Result<Model> findBuiltInModel(std::string_view name);
 
 // One file each.
 ModelDefinition defineHouse();
+ModelDefinition defineSingleTree();
 ModelDefinition defineHelixHouse();
 ModelDefinition defineLever();
+ModelDefinition defineOmniTree();
 ModelDefinition defineBoat();
 ModelDefinition defineParthenon();
 ModelDefinition defineCandler();

@@ -12,8 +12,10 @@ struct PaperModel {
   std::size_t parameters, triangles, baseLines, clusteredBaseLines, clusters;
 };
 constexpr PaperModel kPaperModels[] = {
+    {"single-tree", 6, 5610, 15, 0, 0},
     {"helix-house", 13, 1495, 210, 80, 22},
     {"lever", 7, 1178, 45, 36, 10},
+    {"omni-tree", 18, 29767, 75, 0, 0},
 };
 
 TEST_CASE("a model of the paper's is about as large as there") {
