@@ -303,12 +303,10 @@ void addSphere(const Vec2& center, double radiusPx, std::uint32_t rgba, float op
 void addInk(const OverlayLine& line, const Theme& theme, ShapeList& list) {
   const Pieces pieces = piecesOf(line);
   const bool lit = line.hovered || line.active;
-  const auto colored = [&](const glm::vec4& ofTheme) {
-    if (!line.color) return pack(ofTheme, line.opacity);
-    return pack(glm::vec4(glm::vec3(*line.color) * (lit ? kLitShade : 1.0F), line.color->a), line.opacity);
-  };
-  const std::uint32_t ink = colored(lit ? theme.lineHovered : theme.line);
-  const std::uint32_t handle = colored(lit ? theme.handleHovered : theme.handle);
+  // What can be dragged has the same colour on every line.
+  const std::uint32_t handle = pack(lit ? theme.handleHovered : theme.handle, line.opacity);
+  const glm::vec4 plain = line.color ? glm::vec4(glm::vec3(*line.color) * (lit ? kLitShade : 1.0F), line.color->a) : lit ? theme.lineHovered : theme.line;
+  const std::uint32_t ink = pack(plain, line.opacity);
   for (std::size_t i = 0; i < pieces.strokeCount; ++i) {
     list.stroke(pieces.strokes[i], lit ? kLineWidthHoveredPx : kLineWidthPx, line.indirect ? kDashPx : 0.0, ink);
   }

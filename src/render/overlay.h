@@ -29,7 +29,7 @@ struct OverlayLine {
   bool endDraggable = true;
   bool indirect = false;                    ///< stippled
   bool sphereEnds = false;                  ///< balls about the ends in place of arrowheads
-  std::optional<glm::vec4> color;           ///< of the line and its ends, in place of the theme's
+  std::optional<glm::vec4> color;           ///< of the line and its fixed ends, in place of the theme's
   bool hovered = false;                     ///< the pointer is over a handle of it
   bool active = false;                      ///< being dragged
   float opacity = 1.0F;                     ///< 0 to 1

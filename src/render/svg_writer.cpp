@@ -131,6 +131,7 @@ std::vector<OverlayShape> overlayOf(const Layout& layout) {
     line.extensionStart = placed.extensionStart;
     line.extensionEnd = placed.extensionEnd;
     line.label = placed.label;
+    line.endDraggable = false;  // on paper
     line.indirect = placed.indirect;
     line.sphereEnds = placed.look.skin == HandleSkin::kSphere;
     line.color = overlayColor(placed.look);
