@@ -15,6 +15,9 @@ constexpr double kCpuBudgetMs = 1.0;
 /// The first measurement of a scene pays for memory, so that the best of a few counts.
 constexpr int kCpuSamples = 3;
 
+/// The first answer of a context pays for its shaders, so that it does not count.
+constexpr int kGpuWarmUp = 1;
+
 }  // namespace
 
 Editor::FieldsFrom VisibilitySource::active(const Renderer* renderer) const {
@@ -38,6 +41,7 @@ void VisibilitySource::forgetTimes() {
 void VisibilitySource::rendererGone() {
   flights_.clear();
   gpuMs_ = 0;
+  gpuSamples_ = 0;
 }
 
 bool VisibilitySource::measure(const Scene& scene, const View& view, Renderer* renderer, bool atOnce,
@@ -70,7 +74,8 @@ VisibilitySource::Arrival VisibilitySource::poll(Renderer* renderer) {
     const Flight& flight = flights_.front();
     if (flight.number == *number) {
       arrival = flight.newest ? Arrival::kPresent : Arrival::kOlder;
-      measuredMs_ = gpuMs_ = flight.requestMs + watch.ms();
+      measuredMs_ = flight.requestMs + watch.ms();
+      gpuMs_ = gpuSamples_++ < kGpuWarmUp ? 0.0 : measuredMs_;
       std::swap(seen_, arrived_);
     }
     flights_.pop_front();
