@@ -214,9 +214,14 @@ Scene build(const Values& values) {
   b.material(m.stone);
   b.box({-0.06, 0, 0}, {kWidth + 0.12, kPlinth, kDepth + 0.08});
   // The house behind it: party walls, and rooms that are dark behind their curtains.
-  b.material(m.side);
-  b.box({0, kPlinth, 0}, {kWidth, kTop - kPlinth + 0.3, kDepth - kWall - 0.5});
-  for (const double x : {0.0, kWidth - 0.3}) b.box({x, kPlinth, kDepth - kWall - 0.6}, {0.3, kTop - kPlinth, 0.6});
+  b.push([&] {
+    b.translate({0, kPlinth, 0});
+    b.scale(Axis::kY, kTop - kPlinth + 0.3);
+    b.material(m.side);
+    constexpr double kRooms = kDepth - kWall - 0.5, kFront = kDepth - kWall;
+    b.extrudePolygon(Ring{{0, 0}, {kWidth, 0}, {kWidth, kFront}, {kWidth - 0.3, kFront}, {kWidth - 0.3, kRooms}, {0.3, kRooms}, {0.3, kFront}, {0, kFront}},
+                     Axis::kY);
+  });
   drawRoof(b, m);
   b.face(Face::kFront, [&] { drawFront(b, m, values); });
   return b.finish();
