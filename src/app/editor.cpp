@@ -246,7 +246,7 @@ std::vector<Editor::FadingHandle> Editor::fadingHandles() const {
 void Editor::setLinesShown(bool shown) {
   State& s = *state_;
   if (s.linesShown == shown) return;
-  s.dropGestures();
+  s.finishEdits();  // nobody goes on dragging what is not there
   s.linesShown = shown;
   s.pictureStale = true;
 }

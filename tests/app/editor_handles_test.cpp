@@ -151,6 +151,22 @@ TEST_CASE("lines and handles can be put away, and come back where they were") {
   CHECK(stage.editor.layout().others.size() == 3);
 }
 
+TEST_CASE("lines that are put away in the middle of a drag end it as letting go would") {
+  HandleStage stage;
+  const Vec2 grip = arcArrowMiddle(*stage.other("Pitch").arc, stage.editor.layout().view);
+  stage.down(grip);
+  stage.move(stage.about(50, 120));
+  stage.frame();
+  const double dragged = stage.value("Pitch");
+  REQUIRE(dragged != 30);
+  stage.editor.setLinesShown(false);
+  stage.move(stage.about(10, 120));
+  stage.settle();
+  CHECK(stage.value("Pitch") == dragged);
+  stage.editor.undo();
+  CHECK(stage.value("Pitch") == 30);
+}
+
 TEST_CASE("frames of an orbit with handles of every kind allocate nothing once it has been flown") {
   HandleStage stage;
   const auto fly = [&](bool count) {
