@@ -295,11 +295,11 @@ std::vector<Parameter> helixParameters() {
        "@Handle(scope=Twist, type=angular, orient=up, slip=none)"});
   p[kWidth] = lengthParameter("Width", "Floor width", {12, 9.5, 16, 0.1},
       {"Floors", "How wide each floor is, from edge to edge of its slab.",
-       "@Handle(scope=Floor, type=linear-contour, orient=right, slip=scope, align=bottom)"});
+       "@Handle(scope=Floor, type=linear-contour, orient=right, slip=scope, align=bottom, min-length=90)"});
   p[kDepth] = lengthParameter("Depth", "Floor depth", {10, 9, 14, 0.1},
       {"Floors", "How deep each floor is, from edge to edge of its slab.",
-       "@Handle(scope=Floor, type=linear-contour, orient=back, slip=scope, align=bottom)"});
-  p[kSlabThickness] = lengthParameter("SlabThickness", "Slab thickness", {0.35, 0.2, 0.6, 0.05},
+       "@Handle(scope=Floor, type=linear-contour, orient=back, slip=scope, align=bottom, min-length=90)"});
+  p[kSlabThickness] = lengthParameter("SlabThickness", "Slab thickness", {0.45, 0.25, 0.7, 0.05},
       {"Floors", "How thick the concrete of each floor is.",
        "@Handle(scope=Floor, type=linear-contour, orient=up, slip=scope)"});
   p[kGroundHeight] = lengthParameter("GroundHeight", "Ground floor height", {3.8, 3, 6, 0.1},
@@ -326,6 +326,12 @@ std::vector<Parameter> helixParameters() {
   return p;
 }
 
+/// The twist opens from the front of one floor towards that of the next. It is shown on the roof, and on the plaza for who looks from low down.
+void nameTwist(const House& house) {
+  const double reach = 0.45 * house.helix.depth;
+  nameBox(house.b, "Twist", {0, 0, 0}, {reach, 0, reach});
+}
+
 Scene buildHelixHouse(const Values& values) {
   const Helix helix(values);
   Builder b;
@@ -334,15 +340,17 @@ Scene buildHelixHouse(const Values& values) {
   const double x = 0.5 * helix.width + kPlazaMargin, z = 0.5 * helix.depth + kPlazaMargin;
   b.material(m.paving);
   b.box({-x, 0, -z}, {2 * x, kPlaza, 2 * z});
+  b.push([&] {
+    b.translate({0, kPlaza, 0});
+    nameTwist(house);
+  });
   drawColonnade(house);
   drawTower(house);
   drawCore(house);
   b.push([&] {
     b.translate({0, helix.roofY(), 0});
     b.rotate(Axis::kY, (helix.floors - 1) * helix.twistRad);
-    // The twist opens from the front of the last floor but one towards that of the roof.
-    const double reach = 0.45 * helix.depth;
-    nameBox(b, "Twist", {0, 0, 0}, {reach, 0, reach});
+    nameTwist(house);
     b.rotate(Axis::kY, helix.twistRad);
     drawRoof(house);
   });

@@ -293,7 +293,7 @@ std::vector<Parameter> leverParameters() {
   p[kSpringDiameter] = lengthParameter("SpringDiameter", "Spring diameter", {0.16, 0.1, 0.22, 0.01},
       {"Spring", "How wide the coil is, measured over its wire.",
        "@Handle(scope=Spring, type=diametric, orient=up, slip=billboard)"});
-  p[kPlateThickness] = lengthParameter("PlateThickness", "Plate thickness", {0.05, 0.03, 0.08, 0.005},
+  p[kPlateThickness] = lengthParameter("PlateThickness", "Plate thickness", {0.06, 0.03, 0.08, 0.005},
       {"Bracket", "The thickness of the plate that the two cheeks and the arm are cut from.",
        "@Handle(scope=Plate, type=linear-contour, orient=front, slip=scope, chained)"});
   return p;

@@ -91,7 +91,7 @@ private:
 
   std::size_t clump(const Vec3& radius, int leaves, const LeafShape& shape);
   std::size_t hangingTwig(double lengthM, int leaves, const LeafShape& shape);
-  std::size_t bough(double lengthM, double rise, int pairs, std::size_t tone);
+  std::size_t bough(double lengthM, double rise, double sag, int pairs, std::size_t tone);
   std::size_t frond(double riseRad, double lengthM);
 
   void stretchBetweenPlaces(int axis, double low, double middle, double high);
@@ -124,7 +124,10 @@ void Grower::stretchBetweenPlaces(int axis, double low, double middle, double hi
   const auto move = [&](Vec3& p) { p[axis] = middle + (p[axis] - middle) * (p[axis] > middle ? up : down); };
   for (SprigPlace& place : growth_.places) move(place.at);
   for (Limb& limb : growth_.limbs) {
-    for (Vec3& p : limb.path) move(p);
+    for (Vec3& p : limb.path) {
+      move(p);
+      p.y = std::max(p.y, 0.02 * height_);
+    }
   }
   for (Vec3& p : growth_.leader) move(p);
 }
@@ -169,7 +172,7 @@ Growth Grower::oak() {
   const double thick = std::min(0.5 * trunk_, 0.09 * radius_);
   for (int i = 0; i < kLimbs; ++i) {
     const double share = static_cast<double>(i) / (kLimbs - 1), a = i * kGoldenRad + random_.real(-0.3, 0.3);
-    const Vec3 from = along(leader, 0.08 + 0.8 * share), out = level(a);
+    const Vec3 from = along(leader, 0.14 + 0.76 * share), out = level(a);
     const Vec3 to = out * (radius_ * (0.66 - 0.3 * share * share)) + Vec3(0, height_ * (0.3 + 0.5 * share), 0);
     const Vec3 via = from + out * (0.35 * radius_) + Vec3(0, (to.y - from.y) * random_.real(0.2, 0.5), 0);
     growth_.limbs.push_back({curve(from, via, to, 5), thick * (1 - 0.3 * share), thick * 0.3, 5});
@@ -183,7 +186,9 @@ Growth Grower::oak() {
     // Evenly over the dome, which has no floor: the lowest clumps hang around it.
     const double y = 1 - 1.42 * (i + 0.5) / kClumps, r = std::sqrt(1 - y * y), a = i * kGoldenRad + random_.real(-0.2, 0.2);
     const Vec3 out(r * std::cos(a), y, r * std::sin(a));
-    const Vec3 at = middle + Vec3(0.72 * radius_, 0.46 * height_, 0.72 * radius_) * out * random_.real(0.86, 1.0);
+    // Below the middle as far as leaves hardly reach the floor, so that nothing needs to be stretched towards it.
+    const double tall = y > 0 ? 0.46 * height_ : (middle.y - 0.17 * size) / 0.42;
+    const Vec3 at = middle + Vec3(0.72 * radius_, tall, 0.72 * radius_) * out * random_.real(0.86, 1.0);
     // A twig from the nearest place on a limb.
     Vec3 nearest = leader.back();
     for (std::size_t k = 0; k < kLimbs; ++k) {
@@ -239,8 +244,10 @@ Growth Grower::birch() {
     const Vec3 from = along(leader, 0.06 + 0.9 * share), out = level(a);
     // Egg-shaped: widest below the middle, pointed at the top.
     const double reach = radius_ * (std::pow(std::sin(kPi * std::pow(1 - 0.93 * share, 1.25)), 0.7) * random_.real(0.82, 1.0) + 0.04);
-    const double climb = height_ * (0.10 + 0.04 * share), thick = std::min(0.22 * trunk_, 0.06 * radius_) * (1 - 0.6 * share);
-    std::vector<Vec3> path = curve(from, from + out * (0.55 * reach) + Vec3(0, 1.25 * climb, 0), from + out * reach + Vec3(0, climb, 0), 3);
+    // A long branch arches over, a short one just climbs.
+    const double climb = height_ * (0.10 + 0.04 * share), arch = 0.6 * climb + std::min(0.65 * climb, 0.3 * reach);
+    const double thick = std::min(0.22 * trunk_, 0.06 * radius_) * (1 - 0.6 * share);
+    std::vector<Vec3> path = curve(from, from + out * (0.55 * reach) + Vec3(0, arch, 0), from + out * reach + Vec3(0, climb, 0), 3);
     const std::size_t twigs = 3 * static_cast<std::size_t>(i * kLengths / kBranches);
     place(twigs, path.back(), turned(a));
     place(twigs + 1, along(path, 0.72), turned(a + 0.2));
@@ -257,10 +264,10 @@ Growth Grower::birch() {
 // --- Spruce: whorls of boughs that hang and lift their tips -----------------------------------------------------------------
 
 /// A flat feather of needle sprays on both sides of a branch.
-std::size_t Grower::bough(double lengthM, double rise, int pairs, std::size_t tone) {
+std::size_t Grower::bough(double lengthM, double rise, double sag, int pairs, std::size_t tone) {
   Sprig sprig;
   sprig.middle = {0.3 * lengthM, -1.2 * lengthM, 0};
-  const std::vector<Vec3> path = curve({0, 0, 0}, {0.6 * lengthM, (rise - 0.28) * lengthM, 0}, {lengthM, rise * lengthM, 0}, 4);
+  const std::vector<Vec3> path = curve({0, 0, 0}, {0.6 * lengthM, (rise - sag) * lengthM, 0}, {lengthM, rise * lengthM, 0}, 4);
   sprig.limbs.push_back({{path[0], path[2], path[4]}, 0.016 * lengthM + 0.012, 0.004 * lengthM + 0.004, 3});
   for (int i = 0; i < pairs; ++i) {
     const double t = 0.12 + 0.88 * (i + 0.5) / pairs;
@@ -281,11 +288,13 @@ Growth Grower::spruce() {
   constexpr int kWhorls = 15;
   growth_.leader = {{0, 0.2 * height_, 0}, {0, 0.5 * height_, 0}, {0, 0.8 * height_, 0}, {0, 0.985 * height_, 0}};
   growth_.leaderEnd = 0.06;
+  // Boughs of a tree that is wider than high cannot hang as far.
+  const double hang = std::min(1.0, 0.55 * height_ / radius_);
   double widest = 0;
   for (int w = 0; w < kWhorls; ++w) {
     const double share = static_cast<double>(w) / (kWhorls - 1);
     const double length = (radius_ * 0.95 * std::pow(1 - share, 0.85) + 0.06 * radius_) * (w == 0 ? 1.05 : random_.real(0.86, 1.02));
-    const std::size_t made = bough(length, -0.3 + 0.85 * share * share, 11 - static_cast<int>(5 * share), 1);
+    const std::size_t made = bough(length, hang * (-0.3 + 0.85 * share * share), 0.28 * hang, 11 - static_cast<int>(5 * share), 1);
     eachLeafPoint(growth_.sprigs[made], [&](const Vec3& p) { widest = std::max(widest, std::hypot(p.x, p.z)); });
     // The lowest whorl reaches furthest; it has boughs straight to all four sides.
     const int boughs = w == 0 ? 12 : 11 - static_cast<int>(5 * share);
@@ -385,8 +394,12 @@ Growth grow(const Crown& crown, double trunkDiameterM, std::uint32_t seed) {
     case Kind::kSpruce: growth = grower.spruce(); break;
     case Kind::kPalm: growth = grower.palm(); break;
   }
-  // What falls to the crown's floor is not the leader's but the stem's.
-  std::erase_if(growth.leader, [&](const Vec3& p) { return p.y < 0.08 * crown.height; });
+  // The leader goes on where the stem ends, and always up.
+  double least = 0.08 * crown.height;
+  for (Vec3& p : growth.leader) {
+    p.y = std::max(p.y, least);
+    least = p.y + 0.03 * crown.height;
+  }
   return growth;
 }
 

@@ -210,8 +210,7 @@ void drawTree(Builder& b, const Tree& tree) {
   nameBox(b, tree.names.tree, {-half, 0, -half}, {half, top, half});
   nameBox(b, tree.names.stem, {-radius, 0, -radius}, {radius, stem, radius});
   const double low = flareHeight(tree.stem);
-  nameBox(b, tree.names.trunk, {-radius, low, -radius}, {radius, 0.5 * (low + stem), radius});
-  nameBox(b, tree.names.trunk, {-radius, 0.5 * (low + stem), -radius}, {radius, stem, radius});
+  for (int i = 0; i < 3; ++i) nameBox(b, tree.names.trunk, {-radius, low + (stem - low) * i / 3, -radius}, {radius, low + (stem - low) * (i + 1) / 3, radius});
   nameBox(b, tree.names.crown, {-half, stem, -half}, {half, top, half});
   if (!tree.crown.realistic) {
     drawSchematic(b, tree);
@@ -245,7 +244,7 @@ std::vector<Parameter> treeParameters(const TreeDefaults& d) {
        handle("Trunk", "type=diametric, orient=up, slip=billboard")});
   p[kCrownHeight] = lengthParameter("CrownHeight" + d.suffix, title("Crown height"), {d.crownHeight, 3, 10, 0.1},
       {group("Crown"), "How high the crown is, from its lowest to its uppermost leaf.",
-       handle("Crown", "type=linear-contour, orient=up, slip=billboard, align=left")});
+       handle("Crown", "type=linear-center, orient=up, slip=billboard, align=left")});
   p[kCrownWidth] = lengthParameter("CrownWidth" + d.suffix, title("Crown width"), {d.crownWidth, 2.5, 10, 0.1},
       {group("Crown"), "How wide the crown is where it is widest.",
        handle("Crown", "type=diametric, orient=up, slip=billboard")});

@@ -35,7 +35,7 @@ struct ScopeNames {
   std::string tree;     ///< all of it
   std::string foliage;  ///< the crown, where it is a realistic one
   std::string stem;
-  std::string trunk;    ///< two stretches of the stem where it is as thick as its diameter says
+  std::string trunk;    ///< three stretches of the stem where it is as thick as its diameter says
   std::string crown;
 };
 

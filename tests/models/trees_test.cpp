@@ -55,7 +55,7 @@ TEST_CASE("a tree's handles: a switch, a choice that depends on it, and four lin
   CHECK(a[tree::kKind]->type == HandleType::kRange);
   CHECK(a[tree::kStemHeight]->type == HandleType::kLinearContour);
   CHECK(a[tree::kTrunkDiameter]->type == HandleType::kDiametric);
-  CHECK(a[tree::kCrownHeight]->type == HandleType::kLinearContour);
+  CHECK(a[tree::kCrownHeight]->type == HandleType::kLinearCenter);
   CHECK(a[tree::kCrownWidth]->type == HandleType::kDiametric);
 }
 
@@ -93,21 +93,25 @@ TEST_CASE("leaves fill the crown's box on all sides, and leave the stem free") {
   }
 }
 
-TEST_CASE("the stem is as thick as its diameter says, all along its two stretches") {
+TEST_CASE("the stem is as thick as its diameter says, all along") {
+  int seen = 0;
   for (Values values : test::manySettings(theTree().parameters(), 60)) {
     INFO(test::text(theTree().parameters(), values));
     const Scene scene = theTree().definition.build(values);
     for (const Obb& trunk : scopesNamed(scene, "Trunk")) {
       double widest = 0;
       eachCorner(scene, [&](const Vec3& p, const Material& m) {
-        const bool within = p.y > trunk.origin.y - 1e-6 && p.y < trunk.origin.y + trunk.size.y + 1e-6;
+        // Right under the crown the lowest limbs come out of it.
+        const double end = std::min(trunk.origin.y + trunk.size.y + 1e-6, values.at(tree::kStemHeight) - 0.5 * trunk.size.x);
+        const bool within = p.y > trunk.origin.y - 1e-6 && p.y < end;
         if (within && !m.twoSided) widest = std::max(widest, std::hypot(p.x, p.z));
       });
       CHECK(widest <= 0.5 * values.at(tree::kTrunkDiameter) + 1e-5);
-      // The upper stretch may have its only points where the stem begins to draw in.
+      if (widest > 0) ++seen;
       CHECK((widest == 0 || widest > 0.5 * values.at(tree::kTrunkDiameter) * 0.96));
     }
   }
+  CHECK(seen > 50);
 }
 
 TEST_CASE("a tree that is dragged larger stays the same tree") {
@@ -124,7 +128,7 @@ TEST_CASE("a tree that is dragged larger stays the same tree") {
     INFO(kind);
     CHECK(std::count(counts.begin(), counts.end(), counts.front()) == 20);
     CHECK(counts.front() > 4000);
-    CHECK(counts.front() < 7000);
+    CHECK(counts.front() < 8000);
   }
 }
 
@@ -165,7 +169,7 @@ TEST_CASE("the crowns of the five trees keep apart, and each tree is turned") {
     for (std::size_t i = 0; i < 5; ++i) {
       for (std::size_t k = 0; k < i; ++k) {
         const Vec3 apart = (crowns[i].center() - crowns[k].center()) * Vec3(1, 0, 1);
-        CHECK(glm::length(apart) > 0.5 * (crowns[i].size.x + crowns[k].size.x) + 0.8);
+        CHECK(glm::length(apart) > 0.5 * (crowns[i].size.x + crowns[k].size.x) + 0.65);
         CHECK(glm::length(crowns[i].axes[0] - crowns[k].axes[0]) > 0.05);
       }
     }
