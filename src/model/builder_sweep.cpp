@@ -69,12 +69,11 @@ struct Path {
     return glm::normalize(right[s] * n.x + up[s] * n.y + way[s] * lean);
   }
 
-  /// The same for shading at one of the segment's two ends.
-  [[nodiscard]] Vec3 normal(std::size_t s, bool atEnd, const Vec2& q, const Vec2& n) const {
-    const Vec3 own = flatNormal(s, q, n);
-    if (!closed && (atEnd ? s + 1 == segments() : s == 0)) return own;
+  /// The segment on the other side of one of the segment's two ends, where the bend there is soft; else the segment itself.
+  [[nodiscard]] std::size_t softNeighbour(std::size_t s, bool atEnd) const {
+    if (!closed && (atEnd ? s + 1 == segments() : s == 0)) return s;
     const std::size_t other = (s + (atEnd ? 1 : segments() - 1)) % segments();
-    return glm::dot(way[s], way[other]) > bendCos ? glm::normalize(own + flatNormal(other, q, n)) : own;
+    return glm::dot(way[s], way[other]) > bendCos ? other : s;
   }
 };
 
@@ -95,22 +94,35 @@ void Builder::sweep(const Ring& input, std::span<const Vec3> pathInput, const Sw
     for (const Vec2& q : ring) points.push_back(out.point(toMesh(path.at(i, q))));
   }
 
+  // Normals of each segment where the section's edges start and end, two for each edge.
   const std::vector<EdgeNormals> normals = edgeNormals(ring, options.creaseRad);
+  std::vector<Vec3> flat;
+  flat.reserve(path.segments() * 2 * n);
+  for (std::size_t s = 0; s < path.segments(); ++s) {
+    for (std::size_t i = 0; i < n; ++i) {
+      flat.push_back(path.flatNormal(s, ring[i], normals[i].start));
+      flat.push_back(path.flatNormal(s, ring[(i + 1) % n], normals[i].end));
+    }
+  }
+
   double along = 0;
   for (std::size_t s = 0; s < path.segments(); ++s) {
     const std::size_t from = s * n, to = (s + 1) % count * n;
     const double nextAlong = along + glm::length(path.points[(s + 1) % count] - path.points[s]);
+    const std::size_t before = path.softNeighbour(s, false), after = path.softNeighbour(s, true);
+    // At a soft bend both segments have the mean of their normals.
+    const auto normal = [&](std::size_t other, std::size_t which) {
+      const Vec3& own = flat[2 * n * s + which];
+      return directionToMesh(other == s ? own : glm::normalize(own + flat[2 * n * other + which]));
+    };
     double around = 0;
     for (std::size_t i = 0; i < n; ++i) {
       const std::size_t j = (i + 1) % n;
       const double nextAround = around + glm::length(ring[j] - ring[i]);
-      const auto normal = [&](bool atEnd, std::size_t corner, const Vec2& flat) {
-        return directionToMesh(path.normal(s, atEnd, ring[corner], flat));
-      };
-      out.quad({points[from + j], normal(false, j, normals[i].end), glm::vec2(nextAround, along)},
-               {points[from + i], normal(false, i, normals[i].start), glm::vec2(around, along)},
-               {points[to + i], normal(true, i, normals[i].start), glm::vec2(around, nextAlong)},
-               {points[to + j], normal(true, j, normals[i].end), glm::vec2(nextAround, nextAlong)}, material());
+      out.quad({points[from + j], normal(before, 2 * i + 1), glm::vec2(nextAround, along)},
+               {points[from + i], normal(before, 2 * i), glm::vec2(around, along)},
+               {points[to + i], normal(after, 2 * i), glm::vec2(around, nextAlong)},
+               {points[to + j], normal(after, 2 * i + 1), glm::vec2(nextAround, nextAlong)}, material());
       around = nextAround;
     }
     along = nextAlong;

@@ -24,9 +24,10 @@ std::vector<SquareSail> squareSails(const Mast& mast, double width, double topsa
   std::vector<SquareSail> sails(3);
   const double y = mast.deckY, h = mast.height;
   const double courseHead = mix(width, topsail, 0.3);
-  sails[0] = {y + 0.40 * h, y + 0.08 * h + 1.6, courseHead, width, belly};
-  sails[1] = {y + 0.70 * h, y + 0.435 * h, topsail, courseHead * 0.96, belly * 0.85};
-  sails[2] = {y + 0.895 * h, y + 0.725 * h, topsail * mix(topsail / width, 1, 0.4), topsail * 0.95, belly * 0.55};
+  sails[0] = {y + 0.40 * h, y + 0.08 * h + 1.6, courseHead, width, belly, 0.05 * h * 0.4};
+  sails[1] = {y + 0.70 * h, y + 0.435 * h, topsail, courseHead * 0.96, belly * 0.85, 0.015 * h + 0.95};
+  sails[2] = {y + 0.895 * h,  y + 0.725 * h, topsail * mix(topsail / width, 1, 0.4),
+              topsail * 0.95, belly * 0.55,  0.02 * h + 0.25};
   return sails;
 }
 

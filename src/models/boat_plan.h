@@ -90,6 +90,7 @@ struct SquareSail {
   double yardY = 0, footY = 0;
   double headWidth = 0, footWidth = 0;
   double belly = 0;
+  double roach = 0;  ///< how far its foot is hollowed in the middle: an upper sail's clears the top behind it
 };
 
 struct Mast {
@@ -102,6 +103,7 @@ struct Mast {
   std::vector<SquareSail> sails;  ///< course, topsail, topgallant; none for the lateen masts
   double lateenYard = 0;          ///< its length
   [[nodiscard]] double topY() const { return deckY + 0.45 * height; }
+  [[nodiscard]] double topRadius() const { return 0.62 + 0.022 * height; }
   [[nodiscard]] double truckY() const { return deckY + height; }
 };
 

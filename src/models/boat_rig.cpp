@@ -25,7 +25,7 @@ struct SailSurface {
     const double round = std::cos(kHalfPi * across * 0.96);
     const double fill = std::sin(kPi * std::pow(down, 0.85) * 0.86) / std::sin(kPi * 0.5);
     const double height = sail.yardY - sail.footY;
-    const double roach = 0.07 * height * std::cos(kHalfPi * across) * down * down;  // and the foot upwards
+    const double roach = sail.roach * std::cos(kHalfPi * across) * down * down;  // and the foot upwards
     return {x + sail.belly * round * fill, sail.yardY - 0.12 - (height - 0.12) * down + roach,
             width * 0.5 * across * hollow};
   }
@@ -115,14 +115,15 @@ void drawYard(const Ship& ship, double x, double y, double length, double radius
 // --- Masts ---------------------------------------------------------------------------------------------------------------
 
 /// The platform at a masthead, where shrouds are spread. Scope: the ship's.
-void drawTop(const Ship& ship, const Vec3& at, double radius) {
+void drawTop(const Ship& ship, const Vec3& at, double radius, bool railed) {
   Builder& b = ship.b;
   b.push([&] {
     b.translate(at);
     b.material(ship.m.darkOak);
     const double r = radius;
-    const Vec2 bowl[] = {{0.45 * r, -0.5}, {0.75 * r, -0.12}, {r, 0}, {r, 0.1}, {0, 0.1}};
+    const Vec2 bowl[] = {{0.45 * r, -0.35 * r}, {0.75 * r, -0.1}, {r, 0}, {r, 0.1}, {0, 0.1}};
     b.lathe(bowl, {16, 0.5});
+    if (!railed) return;
     b.material(ship.m.ochre);
     std::vector<Vec3> hoop;
     for (int i = 0; i < 16; ++i) hoop.emplace_back(r * std::cos(kPi * 0.125 * i), 0.66, r * std::sin(kPi * 0.125 * i));
@@ -194,7 +195,7 @@ void nameMast(const Ship& ship, const Mast& mast, std::string_view name) {
 
 void drawSquareMast(const Ship& ship, const Mast& mast, std::string_view name, PartId reefPoint, bool cross) {
   Builder& b = ship.b;
-  const double r = mast.radius, topRadius = 0.75 + 0.022 * mast.height;
+  const double r = mast.radius;
   const double xTop = mast.x + 1.55 * r, xGallant = xTop + 1.0 * r;
   drawPole(ship, mast, mast.x, -0.02, 0.50, r, 0.78 * r, 16);
   drawPole(ship, mast, xTop, 0.435, 0.775, 0.66 * r, 0.46 * r, 12);
@@ -205,9 +206,9 @@ void drawSquareMast(const Ship& ship, const Mast& mast, std::string_view name, P
     b.lathe(band, {16, 0.9});
   });
   drawWooldings(ship, mast, hoop);
-  drawTop(ship, {mast.x + 0.4 * r, mast.topY(), 0}, topRadius);
+  drawTop(ship, {mast.x + 0.4 * r, mast.topY(), 0}, mast.topRadius(), true);
   drawCap(ship, {mast.x, mast.deckY + 0.495 * mast.height, 0}, 0.8 * r, 1.55 * r);
-  drawTop(ship, {xTop + 0.2 * r, mast.deckY + 0.745 * mast.height, 0}, topRadius * 0.5);
+  drawTop(ship, {xTop + 0.2 * r, mast.deckY + 0.745 * mast.height, 0}, mast.topRadius() * 0.5, false);
   drawCap(ship, {xTop, mast.deckY + 0.772 * mast.height, 0}, 0.5 * r, 1.0 * r);
   drawTruck(ship, mast, xGallant);
 
@@ -229,7 +230,7 @@ void drawLateenMast(const Ship& ship, const Mast& mast, std::string_view name) {
   const double r = mast.radius;
   drawPole(ship, mast, mast.x, -0.03, 0.64, r, 0.72 * r, 14);
   drawPole(ship, mast, mast.x + 1.4 * r, 0.57, 0.995, 0.56 * r, 0.26 * r, 10);
-  drawTop(ship, {mast.x + 0.4 * r, mast.deckY + 0.575 * mast.height, 0}, 0.5 + 0.02 * mast.height);
+  drawTop(ship, {mast.x + 0.4 * r, mast.deckY + 0.575 * mast.height, 0}, mast.topRadius() * 0.85, true);
   drawCap(ship, {mast.x, mast.deckY + 0.635 * mast.height, 0}, 0.75 * r, 1.4 * r);
   drawTruck(ship, mast, mast.x + 1.4 * r);
 

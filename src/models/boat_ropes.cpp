@@ -97,7 +97,7 @@ struct Heads {
       : r(mast.radius),
         topmastX(mast.x + 1.55 * r),
         gallantX(topmastX + r),
-        topRadius(0.75 + 0.022 * mast.height),
+        topRadius(mast.topRadius()),
         top(mast.x + 0.4 * r, mast.topY(), 0),
         topmastHead(topmastX, mast.deckY + 0.745 * mast.height, 0),
         gallantHead(gallantX, mast.deckY + 0.93 * mast.height, 0) {}

@@ -23,7 +23,7 @@ Palette::Palette(Builder& b) {
   iron = paint(b, 0x33363A, 0.45F, kMetal);
   spar = paint(b, 0xB98A55, 0.7F);
   canvas = paint(b, 0xFAF3E2, 0.9F, kFabric);
-  cloth = paint(b, 0xF1E7D0, 0.9F, kFabric);
+  cloth = paint(b, 0xF4EBD7, 0.9F, kFabric);
   hemp = paint(b, 0x9C8358, 0.9F);
   tarredRope = paint(b, 0x3B322A, 0.85F);
   flagRed = paint(b, 0xB23A34, 0.85F, kFabric);
