@@ -50,7 +50,7 @@ void drawDeck(const Ship& ship, double fromX, double toX, double h) {
     std::vector<Vec3>& row = grid.emplace_back();
     for (int j = 0; j <= kAcross; ++j) {
       const double across = 2.0 * j / kAcross - 1;
-      row.emplace_back(edge.x, edge.y + 0.045 * edge.z * (1 - across * across), (edge.z - 0.06) * across);
+      row.emplace_back(edge.x, edge.y + kCamber * edge.z * (1 - across * across), (edge.z - 0.06) * across);
     }
   }
   ship.b.material(ship.m.deck);
@@ -183,71 +183,77 @@ void drawLadder(const Ship& ship, double x, double lowH, double highH, double to
   }
 }
 
-/// A hatch closed by a grating, and the ship's boat on it. Scope: the ship's.
+/// A hatch closed by a grating. Scope: its floor's middle.
+void drawHatch(const Ship& ship, double lengthM, double widthM) {
+  Builder& b = ship.b;
+  const double rim = 0.15, innerLength = lengthM - 2 * rim, innerWidth = widthM - 2 * rim;
+  b.push([&] {
+    b.translate({-lengthM * 0.5, 0, -widthM * 0.5});
+    b.scale({lengthM, 0.3, widthM});
+    b.material(ship.m.darkOak);
+    b.extrudePolygon(
+        Polygon{rectangleRing({0, 0}, {lengthM, widthM}), {rectangleRing({rim, rim}, {lengthM - rim, widthM - rim})}},
+        Axis::kY);
+    b.material(ship.m.shadow);
+    b.box({rim, 0, rim}, {innerLength, 0.12, innerWidth});
+    b.material(ship.m.deck);
+    b.translate({rim, 0.16, rim});
+    b.scale({innerLength, 0.1, innerWidth});
+    b.repeat(Axis::kX, 0.3, [&](int i, int) {
+      if (i > 0) b.box({-0.05, 0.02, 0}, {0.1, 0.08, innerWidth});
+    });
+    b.repeat(Axis::kZ, 0.3, [&](int i, int) {
+      if (i > 0) b.box({0, 0, -0.05}, {innerLength, 0.07, 0.1});
+    });
+  });
+}
+
+/// The ship's boat, keel down on two chocks. Scope: the middle between these, on what they stand on.
+void drawShipsBoat(const Ship& ship, double lengthM) {
+  Builder& b = ship.b;
+  constexpr double kBeam = 1.7, kDepth = 0.8, kKeelY = 0.2;
+  constexpr int kRibs = 12, kGirth = 6;
+  std::vector<std::vector<Vec3>> ribs;
+  for (int i = 0; i <= kRibs; ++i) {
+    const double out = 2.0 * i / kRibs - 1;  // from the stern, which is cut off square, to the bow
+    const double full = std::sqrt(std::max(0.0, 1 - std::pow(std::abs(out), 2.4)));
+    const double half = std::max((out < 0 ? std::max(full, 0.45) : full) * kBeam * 0.5, 0.12);
+    std::vector<Vec3>& rib = ribs.emplace_back();
+    for (int j = kGirth; j >= -kGirth; --j) {
+      const double angle = kHalfPi * j / kGirth;
+      rib.emplace_back(lengthM * 0.5 * out, kKeelY + kDepth * (1 - std::cos(angle)) + 0.25 * out * out,
+                       half * std::sin(angle));
+    }
+  }
+  b.material(ship.m.oak);
+  b.sheet(ribs, 0.06);
+  b.material(ship.m.darkOak);
+  for (const double share : {-0.25, -0.05, 0.15})
+    b.box({lengthM * share - 0.12, kKeelY + kDepth * 0.75, -kBeam * 0.4}, {0.24, 0.06, kBeam * 0.8});
+  for (const double share : {-0.25, 0.22}) b.box({lengthM * share - 0.1, -0.02, -0.6}, {0.2, 0.4, 1.2});
+}
+
+/// The main hatch between mainmast and forecastle, and the boat that is carried on it, where there is room for them.
 void drawWaist(const Ship& ship) {
   Builder& b = ship.b;
   const Plan& plan = ship.plan;
   const double from = plan.main.x + 1.6, to = plan.forecastle.fromX - 1.6;
   if (to - from < 2.5) return;
-  const double middle = (from + to) * 0.5, half = std::min((to - from) * 0.5, 3.4);
-  const double y = plan.hull.sideAt(middle, plan.hull.depth).y + 0.045 * plan.hull.beam * 0.42;
+  const double middle = (from + to) * 0.5, length = std::min(to - from, 6.8);
+  const Vec3 edge = plan.hull.sideAt(middle, plan.hull.depth);
   b.push([&] {
-    b.translate({middle - half, y, -1.3});
-    b.scale({2 * half, 0.3, 2.6});
-    b.material(ship.m.darkOak);
-    b.extrudePolygon(
-        Polygon{rectangleRing({0, 0}, {2 * half, 2.6}), {rectangleRing({0.15, 0.15}, {2 * half - 0.15, 2.45})}},
-        Axis::kY);
-    b.material(ship.m.shadow);
-    b.box({0.15, 0, 0.15}, {2 * half - 0.3, 0.12, 2.3});
-    b.material(ship.m.deck);
-    b.push([&] {
-      b.translate({0.15, 0.16, 0.15});
-      b.scale({2 * half - 0.3, 0.1, 2.3});
-      b.repeat(Axis::kX, 0.3, [&](int i, int) {
-        if (i > 0) b.box({-0.05, 0.02, 0}, {0.1, 0.08, 2.3});
-      });
-      b.repeat(Axis::kZ, 0.3, [&](int i, int) {
-        if (i > 0) b.box({0, 0, -0.05}, {b.size().x, 0.07, 0.1});
-      });
-    });
+    b.translate({middle, edge.y + kCamber * edge.z * 0.8, 0});
+    drawHatch(ship, length, 2.6);
+    b.translate({0, 0.3, 0});
+    drawShipsBoat(ship, length - 0.6);
   });
-  // The boat, keel down on two chocks.
-  const double length = 2 * half - 0.6, beam = 1.7, depth = 0.8;
-  std::vector<std::vector<Vec3>> ribs;
-  constexpr int kRibs = 12, kGirth = 6;
-  const auto rib = [&](double u, double grown, double lift) {
-    std::vector<Vec3> ring;
-    const double full = std::sqrt(std::max(0.0, 1 - std::pow(std::abs(2 * u - 1), 2.4)));
-    const double width = (u < 0.5 ? std::max(full, 0.45) : full) * beam * 0.5 - grown;
-    for (int j = -kGirth; j <= kGirth; ++j) {
-      const double angle = kHalfPi * j / kGirth;
-      ring.emplace_back(middle - length * 0.5 + length * u,
-                        y + 0.5 + lift + depth * (1 - std::cos(angle)) + 0.25 * (2 * u - 1) * (2 * u - 1),
-                        std::max(width, 0.12) * std::sin(angle));
-    }
-    return ring;
-  };
-  for (int i = 0; i <= kRibs; ++i) ribs.push_back(rib(static_cast<double>(i) / kRibs, 0, 0));
-  for (auto& row : ribs) std::reverse(row.begin(), row.end());
-  b.material(ship.m.oak);
-  b.sheet(ribs, 0.06);
-  b.material(ship.m.darkOak);
-  for (const double share : {0.25, 0.45, 0.65}) {
-    const double x = middle - length * 0.5 + length * share;
-    b.box({x - 0.12, y + 0.5 + depth * 0.75, -beam * 0.4}, {0.24, 0.06, beam * 0.8});
-  }
-  for (const double share : {0.25, 0.72}) {
-    const double x = middle - length * 0.5 + length * share;
-    b.box({x - 0.1, y + 0.28, -0.6}, {0.2, 0.4, 1.2});
-  }
 }
 
 void drawCapstan(const Ship& ship, double x, double h) {
   Builder& b = ship.b;
   const Vec3 edge = ship.plan.hull.sideAt(x, h);
   b.push([&] {
-    b.translate({x, edge.y + 0.045 * edge.z, 0});
+    b.translate({x, edge.y + kCamber * edge.z, 0});
     b.material(ship.m.darkOak);
     const Vec2 profile[] = {{0.5, 0}, {0.5, 0.12}, {0.3, 0.2}, {0.24, 0.75}, {0.4, 0.85}, {0.4, 1.1}, {0.1, 1.16}};
     b.lathe(profile, {12, 0.7});

@@ -43,7 +43,7 @@ void drawPlanking(const Ship& ship) {
     const Vec3 edge = rib.back();
     for (int j = 1; j < 2 * kDeckStrakes; ++j) {
       const double across = 1 - static_cast<double>(j) / kDeckStrakes;
-      rib.emplace_back(edge.x, edge.y + 0.045 * edge.z * (1 - across * across), edge.z * across);
+      rib.emplace_back(edge.x, edge.y + kCamber * edge.z * (1 - across * across), edge.z * across);
     }
     for (std::size_t j = strakes; j-- > 0;) rib.push_back(mirrored(rib[j], -1));
   }
@@ -118,7 +118,7 @@ void drawRudder(const Ship& ship) {
       const Vec2 at = stern(hull.depth * share, 0);
       b.push([&] {
         b.translate({at.x, at.y, 0});
-        b.rotate(Axis::kZ, std::atan(0.2));
+        b.rotate(Axis::kZ, std::atan(kSternRake));
         b.box({-1.1, -0.06, -0.04}, {1.2, 0.12, 0.34});
       });
     }

@@ -28,6 +28,9 @@ inline constexpr int kSides[] = {1, -1};  ///< starboard, port
 /// A point of the starboard side, mirrored to port when `side` is -1.
 Vec3 mirrored(const Vec3& p, int side);
 
+/// Puts the scope at a point, along axes of the current scope: unit length, right-handed. Its size becomes `size`.
+void enterFrame(Builder& b, const Vec3& origin, const std::array<Vec3, 3>& axes, const Vec3& size = Vec3(0.0));
+
 /// A timber along a strake from one place to another, on the side that is given. The section's x counts outwards from
 /// the planking, its y upwards.
 void drawStrake(const Ship& ship, const Ring& section, double fromX, double toX, double h, int side);

@@ -9,7 +9,6 @@ namespace {
 
 constexpr double kPi = 3.14159265358979323846;
 constexpr double kMidship = 0.54;   // where along u the hull is broadest
-constexpr double kSternRake = 0.2;  // how far the stern leans aft in a metre
 constexpr double kForefoot = 0.84;  // where the keel ends and the stem begins, as a share of the length
 
 double mix(double a, double b, double t) { return a + (b - a) * t; }

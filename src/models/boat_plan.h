@@ -49,6 +49,8 @@ inline constexpr double kBlocks = 0.55;    ///< and the blocks that it stands on
 inline constexpr double kBulwark = 1.1;    ///< height of the sides above each deck
 inline constexpr double kPlank = 0.16;     ///< thickness of the topsides
 inline constexpr double kPortSize = 0.78;  ///< a gun port, square
+inline constexpr double kSternRake = 0.2;  ///< how far the stern leans aft in a metre of its height
+inline constexpr double kCamber = 0.045;   ///< how far a deck is higher in its middle, as a share of half its breadth
 /// A ship of this length carries a mizzen mast, and one of that a bonaventure mizzen abaft it.
 inline constexpr double kMizzenFromLength = 30;
 inline constexpr double kBonaventureFromLength = 44;

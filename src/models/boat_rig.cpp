@@ -57,24 +57,32 @@ void drawCross(const Ship& ship, const SailSurface& surface) {
   bar(arm / 6, arm, 2, 10);
 }
 
+/// A sail is sewn of cloths side by side, which weather differently.
+std::vector<MaterialId> clothMaterials(const Ship& ship, int count) {
+  std::vector<MaterialId> materials;
+  for (int j = 0; j < count; ++j) materials.push_back(j % 2 == 0 ? ship.m.canvas : ship.m.cloth);
+  return materials;
+}
+
+void drawCloths(const Ship& ship, const SailSurface& surface, int cloths, int rowCount) {
+  std::vector<std::vector<Vec3>> rows;
+  for (int i = 0; i <= rowCount; ++i) {
+    std::vector<Vec3>& row = rows.emplace_back();
+    const double down = 1 - static_cast<double>(i) / rowCount;
+    for (int j = 0; j <= cloths; ++j) row.push_back(surface.at(1 - 2.0 * j / cloths, down));
+  }
+  const std::vector<MaterialId> materials = clothMaterials(ship, cloths);
+  Builder::SkinOptions options;
+  options.materials = materials;
+  ship.b.sheet(rows, 0.03, options);
+}
+
 void drawSail(const Ship& ship, const SquareSail& sail, double x, PartId reefPoint, std::span<const double> reefs,
               bool cross) {
   Builder& b = ship.b;
   const SailSurface surface{sail, x};
-  // A sail is sewn of cloths, each some 1 m wide, which weather differently.
   const int cloths = std::clamp(static_cast<int>(std::lround(sail.footWidth / 1.05)), 8, 18);
-  constexpr int kRows = 8;
-  std::vector<MaterialId> materials;
-  for (int j = 0; j < cloths; ++j) materials.push_back(j % 2 == 0 ? ship.m.canvas : ship.m.cloth);
-  std::vector<std::vector<Vec3>> rows;
-  for (int i = 0; i <= kRows; ++i) {
-    std::vector<Vec3>& row = rows.emplace_back();
-    const double down = 1 - static_cast<double>(i) / kRows;
-    for (int j = 0; j <= cloths; ++j) row.push_back(surface.at(1 - 2.0 * j / cloths, down));
-  }
-  Builder::SkinOptions options;
-  options.materials = materials;
-  b.sheet(rows, 0.03, options);
+  drawCloths(ship, surface, cloths, 8);
 
   // The bolt rope, down one leech, along the foot and up the other.
   b.material(ship.m.hemp);
@@ -91,11 +99,7 @@ void drawSail(const Ship& ship, const SquareSail& sail, double x, PartId reefPoi
       const Vec3 here = surface.at(across, down), below = surface.at(across, down + 0.05);
       const Vec3 fall = glm::normalize(here - below), aside(0, 0, 1), out = glm::normalize(glm::cross(fall, aside));
       b.push([&] {
-        const Obb& s = b.scope();
-        const auto turned = [&](const Vec3& d) { return s.axes[0] * d.x + s.axes[1] * d.y + s.axes[2] * d.z; };
-        const Vec3 third = glm::cross(-out, fall);
-        b.translate(here);
-        b.setScope({b.scope().origin, {turned(-out), turned(fall), turned(third)}, Vec3(0.0)});
+        enterFrame(b, here, {-out, fall, glm::cross(-out, fall)});
         b.place(reefPoint);
       });
     }
@@ -249,8 +253,6 @@ void drawLateenMast(const Ship& ship, const Mast& mast, std::string_view name) {
   const Vec3 head = glm::mix(tack, peak, 0.97), foot = glm::mix(tack, peak, 0.03);
   const Vec3 clew(foot.x - 0.82 * (foot.x - head.x), std::max(foot.y, mast.deckY + 1.9) + 0.02 * length, z);
   constexpr int kCloths = 13, kRows = 9;
-  std::vector<MaterialId> materials;
-  for (int j = 0; j < kCloths; ++j) materials.push_back(j % 2 == 0 ? ship.m.canvas : ship.m.cloth);
   const auto at = [&](double s, double t) {
     const Vec3 flat = foot + ((head - foot) * (1 - t) + (clew - foot) * t) * s;
     const double belly =
@@ -263,6 +265,7 @@ void drawLateenMast(const Ship& ship, const Mast& mast, std::string_view name) {
     for (int j = 0; j <= kCloths; ++j)
       row.push_back(at(static_cast<double>(kCloths - j) / kCloths, 1 - static_cast<double>(i) / kRows));
   }
+  const std::vector<MaterialId> materials = clothMaterials(ship, kCloths);
   Builder::SkinOptions options;
   options.materials = materials;
   b.sheet(rows, 0.03, options);
@@ -300,25 +303,11 @@ void drawBowsprit(const Ship& ship) {
   const SquareSail sail{at.y - r - 0.2, at.y - r - 0.2 - drop, width, width * 0.96,
                         std::min(0.4 * drop, 0.45 * plan.fore.sails[0].belly)};
   drawYard(ship, at.x, sail.yardY + 0.05, width * 1.08, 0.05 + 0.009 * width);
-  const SailSurface surface{sail, at.x};
-  std::vector<MaterialId> materials;
-  std::vector<std::vector<Vec3>> rows;
-  const int cloths = 10;
-  for (int j = 0; j < cloths; ++j) materials.push_back(j % 2 == 0 ? ship.m.canvas : ship.m.cloth);
-  for (int i = 0; i <= 6; ++i) {
-    std::vector<Vec3>& row = rows.emplace_back();
-    for (int j = 0; j <= cloths; ++j) row.push_back(surface.at(1 - 2.0 * j / cloths, 1 - i / 6.0));
-  }
-  Builder::SkinOptions options;
-  options.materials = materials;
-  b.sheet(rows, 0.03, options);
+  drawCloths(ship, {sail, at.x}, 10, 6);
 
   b.push([&] {
     const Vec3 up(-way.y, way.x, 0);
-    const Obb& s = b.scope();
-    const auto turned = [&](const Vec3& d) { return s.axes[0] * d.x + s.axes[1] * d.y + s.axes[2] * d.z; };
-    b.translate(foot - up * r - Vec3(0, 0, r));
-    b.setScope({b.scope().origin, {turned(way), turned(up), turned({0, 0, 1})}, {plan.bowspritLength, 2 * r, 2 * r}});
+    enterFrame(b, foot - up * r - Vec3(0, 0, r), {way, up, {0, 0, 1}}, {plan.bowspritLength, 2 * r, 2 * r});
     b.name("Bowsprit");
   });
   // Level from the bowsprit's foot, opening upwards.

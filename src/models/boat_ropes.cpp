@@ -143,7 +143,7 @@ void drawYardRopes(const Ship& ship, const Mast& mast, const std::array<Vec3, 3>
         }
       }
       putBlock(clew);
-      // Bowlines would clutter; the clew lines show how a sail is taken in.
+      // The clew line, by which the sail is taken in.
       b.material(ship.m.hemp);
       drawRope(ship, clew + Vec3(-0.12, 0, 0), {x[i] - 0.15, sail.yardY - 0.1, side * sail.headWidth * 0.12}, 0.018, 3);
     }

@@ -13,17 +13,13 @@ namespace {
 struct Transom {
   const HullForm& hull;
 
-  [[nodiscard]] static double slope() { return std::sqrt(1 + 0.2 * 0.2); }
+  [[nodiscard]] static double slope() { return std::sqrt(1 + kSternRake * kSternRake); }
   [[nodiscard]] double y(double h) const { return (hull.side(0, h).y - hull.side(0, hull.depth).y) * slope(); }
   [[nodiscard]] double half(double h) const { return hull.side(0, h).z; }
 
   void enter(Builder& b) const {
-    const Obb& s = b.scope();
-    const auto turned = [&](const Vec3& d) { return s.axes[0] * d.x + s.axes[1] * d.y + s.axes[2] * d.z; };
-    const Vec3 up = glm::normalize(Vec3(-0.2, 1, 0));
-    b.translate(hull.side(0, hull.depth));
-    b.translate({0, 0, -half(hull.depth)});
-    b.setScope({b.scope().origin, {turned({0, 0, 1}), turned(up), turned(glm::cross(Vec3(0, 0, 1), up))}, Vec3(0.0)});
+    const Vec3 starboard(0, 0, 1), up = glm::normalize(Vec3(-kSternRake, 1, 0));
+    enterFrame(b, {0, hull.side(0, hull.depth).y, 0}, {starboard, up, glm::cross(starboard, up)});
   }
 };
 

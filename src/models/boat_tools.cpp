@@ -35,6 +35,13 @@ Palette::Palette(Builder& b) {
 
 Vec3 mirrored(const Vec3& p, int side) { return {p.x, p.y, p.z * side}; }
 
+void enterFrame(Builder& b, const Vec3& origin, const std::array<Vec3, 3>& axes, const Vec3& size) {
+  const Obb s = b.scope();
+  const auto turned = [&](const Vec3& d) { return s.axes[0] * d.x + s.axes[1] * d.y + s.axes[2] * d.z; };
+  b.translate(origin);
+  b.setScope({b.scope().origin, {turned(axes[0]), turned(axes[1]), turned(axes[2])}, size});
+}
+
 void drawStrake(const Ship& ship, const Ring& section, double fromX, double toX, double h, int side) {
   const HullForm& hull = ship.plan.hull;
   const double from = hull.uAt(fromX, h), to = std::min(hull.uAt(toX, h), 0.999);
@@ -60,14 +67,10 @@ void drawSpar(const Ship& ship, const Vec3& from, const Vec3& to, std::span<cons
   const double length = glm::length(to - from);
   const Vec3 up = (to - from) / length;
   const Vec3 aside = glm::normalize(glm::cross(std::abs(up.x) < 0.9 ? Vec3(1, 0, 0) : Vec3(0, 1, 0), up));
-  const Vec3 third = glm::cross(aside, up);
   std::vector<Vec2> scaled(profile.begin(), profile.end());
   for (Vec2& p : scaled) p.y *= length;
   b.push([&] {
-    const Obb& s = b.scope();
-    const auto turned = [&](const Vec3& d) { return s.axes[0] * d.x + s.axes[1] * d.y + s.axes[2] * d.z; };
-    b.translate(from);
-    b.setScope({b.scope().origin, {turned(aside), turned(up), turned(third)}, Vec3(0.0)});
+    enterFrame(b, from, {aside, up, glm::cross(aside, up)});
     b.lathe(scaled, {segments, 0.7});
   });
 }
@@ -97,18 +100,13 @@ void drawSlackRope(const Ship& ship, const Vec3& from, const Vec3& to, double sa
 }
 
 void enterSide(const Ship& ship, double x, double h, int side) {
-  Builder& b = ship.b;
   const HullForm& hull = ship.plan.hull;
   const double reach = 0.3;
   const Vec3 along = hull.sideAt(x + reach, h) - hull.sideAt(x - reach, h);
   const Vec3 ahead = glm::normalize(mirrored({along.x, 0, along.z}, side));
   const Vec3 out = glm::cross(ahead, Vec3(0, 1, 0)) * static_cast<double>(side);
-  const Obb& s = b.scope();
-  const auto turned = [&](const Vec3& d) { return s.axes[0] * d.x + s.axes[1] * d.y + s.axes[2] * d.z; };
   // Right-handed with z outboard: x runs to the right seen from outside, forward on the starboard side.
-  const Vec3 right = ahead * static_cast<double>(side);
-  b.translate(mirrored(hull.sideAt(x, h), side));
-  b.setScope({b.scope().origin, {turned(right), turned({0, 1, 0}), turned(out)}, Vec3(0.0)});
+  enterFrame(ship.b, mirrored(hull.sideAt(x, h), side), {ahead * static_cast<double>(side), {0, 1, 0}, out});
 }
 
 void nameBetween(const Ship& ship, std::string_view name, const Vec3& a, const Vec3& b) {
