@@ -34,6 +34,9 @@ inline constexpr double kMinLineLengthPx = 8.0;
 /// and a drag of a pixel would be a leap.
 inline constexpr double kForeshortenedAngleRad = 0.15;
 
+/// A line hidden as too short or foreshortened is shown again when it passes the threshold by this factor, so that it does not come and go at its edge.
+inline constexpr double kShowAgainFactor = 1.2;
+
 /// px. How much further out than the least offset a line is tried, step by step, when its label has no room there.
 inline constexpr double kLabelPushStepPx = 10.0;
 inline constexpr int kLabelPushSteps = 4;
@@ -65,6 +68,17 @@ inline constexpr double kArcMaxRadiusPx = 140.0;
 /// px. Lines of features that share a corner touch there, and by rounding reach past each other a little, which nobody sees: they cross when they do by more.
 inline constexpr double kCrossingPx = 0.5;
 
+/// px. Two lines less than this apart are seen as one. An extension line that would lie so on a dimension line is moved aside (paper 5, "Extension
+/// Lines") by the second length: enough to be seen beside it, too little to seem another feature's.
+inline constexpr double kSameLinePx = 1.5;
+inline constexpr double kExtensionAsidePx = 4.0;
+
+/// px2 of viewport for each parameter, from which on all lines are shown, however much in each other's way (DESIGN.md section 4, "Crowding").
+/// Below it the shortest are hidden until no line runs into another.
+inline constexpr double kCrowdedPx2 = 20000.0;
+/// px2 of viewport for each parameter, below which no switch and no choice is shown: one covers 3,000, and more than half of it lies on the model.
+inline constexpr double kPillsCrowdedPx2 = 8000.0;
+
 // --- Placement: the score of section 4.2 ------------------------------------------------------------------------------
 
 inline constexpr double kScoreDistance = -1.0;                           ///< lambda 1, per px
@@ -79,10 +93,16 @@ inline constexpr double kScoreStay = 7.0 * kHandleSpacingPx;
 inline constexpr double kScoreReturn = -5.0 * kHandleSpacingPx;
 inline constexpr int kReturnFrames = 20;
 
+/// rad. A view that has turned by more than this since the last frame is another picture, not the next one of a movement: what was chosen
+/// for the last one is forgotten. A quick flick of the hand turns by less even at ten frames a second.
+inline constexpr double kForgetTurnRad = 0.6;
+
 /// px a frame. A line that lies further out than it must, since one nearer to the model has gone, comes nearer by this much in each moved frame, and
-/// is never further out than this share of what it must: its way stays short without a jump.
+/// is further out than this share of what it must for some frames only: its way stays short without a jump.
 inline constexpr double kRelaxPx = 6.0;
 inline constexpr double kMostOffsetRatio = 1.45;
+/// Further out than that it comes nearer by so many times kRelaxPx: quickly, and still no leap.
+inline constexpr double kHurryFactor = 5.0;
 
 /// Beyond the paper: a line across another's extension line misleads, two extension lines that cross do not; the first costs this more than Intersect.
 inline constexpr double kScoreCrossesExtension = -5.0 * kHandleSpacingPx;
@@ -94,6 +114,11 @@ inline constexpr double kScoreCoversLabel = -6.0 * kHandleSpacingPx;
 /// Beyond the paper: a place that brings a line within handleSpacing of where a later one stood in the last frame pushes that one away, and what comes after
 /// it as well; it costs this much. More: short lines wander far out to leave long ones alone. Less: more changes come in cascades.
 inline constexpr double kScoreCrowdsAhead = -2.0 * kHandleSpacingPx;
+/// Likewise for a place between a later line and every viewport edge from which it was seen: the fields are one-dimensional, so that line must go all round
+/// this one, which is a leap.
+inline constexpr double kScoreShadowsAhead = -2.0 * kHandleSpacingPx;
+/// px. A line that would move by more than this against its base line in one frame has no reason to stay (kScoreStay): a leap disturbs as much as another place.
+inline constexpr double kLeapPx = 40.0;
 inline constexpr double kScorePlane = 3.0 * kHandleSpacingPx;            ///< lambda 6
 
 // --- Geometry ---------------------------------------------------------------------------------------------------------

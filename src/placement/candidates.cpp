@@ -10,8 +10,11 @@ namespace dimline {
 
 namespace {
 
-/// A guide's offset may miss the least clearing one by rounding alone.
-constexpr double kGuideSlack = 1e-9;
+/// A guide's offset may miss the least clearing one, and a line at the greatest offset the viewport's margin, by rounding alone.
+constexpr double kRoundingShare = 1e-9;
+
+/// px. What the second of two offsets of one candidate is set back by, so that it is looked at last whatever is gained by being nearer to the model.
+constexpr double kSecondChoice = 100.0;
 
 bool insideViewport(const Segment2& s, const View& view) {
   const Box2 box = view.viewport().grown(-kViewportMarginPx);
@@ -32,10 +35,10 @@ bool moveTo(Candidate& candidate, const Segment& line, const View& view) {
   return true;
 }
 
-bool foreshortened(const Segment& s, const View& view) {
+bool foreshortened(const Segment& s, const View& view, double factor) {
   const double lengthM = s.length();
   const double alongView = std::abs(glm::dot(s.end - s.start, view.directionTo(s.middle())));
-  return lengthM > 0 && alongView > std::cos(kForeshortenedAngleRad) * lengthM;
+  return lengthM > 0 && alongView > std::cos(kForeshortenedAngleRad * factor) * lengthM;
 }
 
 /// A candidate of `base` on `plane`, not placed yet.
@@ -75,7 +78,7 @@ double mostInViewM(const Candidate& candidate, const View& view) {
     bound(box.max.y * h.z - h.y, box.max.y * perMetre.z - perMetre.y);
     bound(view.depth(end) - view.nearM(), glm::dot(candidate.outward, view.forward()));
   }
-  return mostM;
+  return mostM * (1 - kRoundingShare);
 }
 
 /// The least offset in the candidate's direction at which its plane has room.
@@ -101,7 +104,7 @@ void keep(const CandidateContext& context, Candidate& candidate, std::vector<Can
                            .intersects = false,
                            .planeKind = candidate.plane.kind,
                            .facing = candidate.plane.facing}) +
-                    context.history.bonus(candidate.identity);
+                    context.history.bonus(candidate.identity, away(candidate.baseScreen, candidate.lineScreen)) - candidate.handicap;
   candidates.push_back(candidate);
 }
 
@@ -126,7 +129,7 @@ void BaseLineTally::add(const BaseLineTally& other) {
 
 double leastLengthPx(const Annotation& annotation) { return std::max(kMinLineLengthPx, annotation.minLengthPx); }
 
-void gatherBaseLines(const Annotation& annotation, const Scope& scope, std::size_t scopeNumber, const View& view,
+void gatherBaseLines(const Annotation& annotation, const Scope& scope, std::size_t scopeNumber, const View& view, double factor,
                      std::vector<UsableBaseLine>& lines, BaseLineTally& tally) {
   for (const BaseLine& line : baseLines(annotation, scope.box, view)) {
     const Segment& s = line.segment;
@@ -137,9 +140,9 @@ void gatherBaseLines(const Annotation& annotation, const Scope& scope, std::size
     const Segment2 screen = view.toScreen(s);
     if (!meets(screen, view.viewport())) {
       ++tally.outOfView;
-    } else if (foreshortened(s, view)) {
+    } else if (foreshortened(s, view, factor)) {
       ++tally.foreshortened;
-    } else if (!(screen.length() >= leastLengthPx(annotation))) {
+    } else if (!(screen.length() >= leastLengthPx(annotation) * factor)) {
       ++tally.tooShort;
     } else {
       lines.push_back({.scope = scopeNumber, .scopeIndex = static_cast<std::int32_t>(scope.index), .cluster = -1, .line = line, .screen = screen});
@@ -151,7 +154,7 @@ void gatherChainBaseLines(const Cluster& cluster, std::int32_t number, const Vie
   for (const int side : {0, 1}) {
     const BaseLine line = chainBaseLine(cluster, side);
     if (!view.inFrontOfNear(line.segment.start) || !view.inFrontOfNear(line.segment.end)) continue;
-    if (foreshortened(line.segment, view)) continue;
+    if (foreshortened(line.segment, view, 1.0)) continue;
     lines.push_back({.scope = cluster.members.front().scope,
                      .scopeIndex = -1,
                      .cluster = number,
@@ -171,7 +174,7 @@ void gatherGuideCandidates(const CandidateContext& context, const UsableBaseLine
       const double offsetM = glm::dot(guide.point - candidate.foot.start, candidate.outward);
       if (!(offsetM > 0) || offsetM < leastRoomM(candidate)) continue;
       const auto slide = Slide::make(context.view, candidate.foot, candidate.outward);
-      if (!slide || leastClearingOffset(context.paddedModel, *slide) > offsetM * (1 + kGuideSlack)) continue;
+      if (!slide || leastClearingOffset(context.paddedModel, *slide) > offsetM * (1 + kRoundingShare)) continue;
       candidate.placement = PlacementKind::kGuide;
       candidate.guide = static_cast<int>(i);
       if (placeAt(candidate, *slide, offsetM, context.view)) keep(context, candidate, candidates);
@@ -188,11 +191,16 @@ void gatherOutsideCandidates(const CandidateContext& context, const UsableBaseLi
     // What clears at the least offset clears at every greater one, so a plane whose part begins further out is used from there.
     double offsetM = std::max(leastClearingOffset(context.padded, *slide, mostM), leastRoomM(candidate));
     if (offsetM > mostM) return;
+    candidate.placement = PlacementKind::kOutside;
     if (candidate.identity == context.history.last()) {
       const double stepM = context.viewMoved ? kRelaxPx * context.view.metresPerPixelAt(candidate.foot.middle()) : 0.0;
-      offsetM = std::min(context.history.relaxedOffsetM(offsetM, stepM), mostM);
+      // Both where it would rather be and where it must be at least: its label may have room at one of them only.
+      const double relaxedM = std::min(context.history.relaxedOffsetM(offsetM, stepM), mostM);
+      if (relaxedM > offsetM && placeAt(candidate, *slide, relaxedM, context.view)) {
+        keep(context, candidate, candidates);
+        candidate.handicap = kSecondChoice;
+      }
     }
-    candidate.placement = PlacementKind::kOutside;
     if (placeAt(candidate, *slide, offsetM, context.view)) keep(context, candidate, candidates);
   });
 }

@@ -36,6 +36,7 @@ struct Candidate {
   double mostM = 0;         ///< how far the plane has room
   int guide = -1;           ///< number of the guide it lies on
   double score = 0;         ///< without the Intersect term
+  double handicap = 0;      ///< what its score is lessened by
 };
 
 /// What became of a parameter's base lines, for the reason why it is hidden when none is left.
@@ -65,8 +66,9 @@ struct CandidateContext {
 /// The least length on screen at which a line of this annotation is shown.
 double leastLengthPx(const Annotation& annotation);
 
-/// Adds the base lines of one scope that can be used: in front of the near plane, seen in the viewport, not foreshortened, long enough.
-void gatherBaseLines(const Annotation& annotation, const Scope& scope, std::size_t scopeNumber, const View& view,
+/// Adds the base lines of one scope that can be used: in front of the near plane, seen in the viewport, and neither foreshortened nor too short, by thresholds that are
+/// `factor` times those of constants.h.
+void gatherBaseLines(const Annotation& annotation, const Scope& scope, std::size_t scopeNumber, const View& view, double factor,
                      std::vector<UsableBaseLine>& lines, BaseLineTally& tally);
 
 /// Adds the two chain base lines of a cluster, as far as they can be used. A chain's own length says nothing about its members', so the least length is

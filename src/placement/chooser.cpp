@@ -14,6 +14,10 @@ namespace {
 
 auto orderOf(const Identity& i) { return std::tie(i.chain, i.scopeIndex, i.baseLine, i.plane, i.direction); }
 
+double lessened(const Landed::Crossings& crossings) {
+  return (crossings.lines ? kScoreIntersect : 0.0) + (crossings.extensions ? kScoreCrossesExtension : 0.0);
+}
+
 ChosenLine chosen(const Candidate& c, std::optional<Box2> label = std::nullopt) {
   return {c.scope, c.base, c.baseScreen, c.foot, c.footScreen, c.line, c.lineScreen, label};
 }
@@ -21,43 +25,48 @@ ChosenLine chosen(const Candidate& c, std::optional<Box2> label = std::nullopt) 
 }  // namespace
 
 bool Chooser::choose(const Measured& measured, const ChoiceContext& context, const History& history) {
-  bases_.clear();
-  tally_ = {};
-  for (const std::size_t scope : measured.scopes) {
-    if (context.usable[scope] != 0) gatherBaseLines(measured.annotation, context.scopes[scope], scope, context.view, bases_, tally_);
-  }
-  if (bases_.empty()) return false;
+  cramped_ = false;
+  if (history.hidden() && !gatherBases(measured, context, kShowAgainFactor)) return false;
+  if (!gatherBases(measured, context, 1.0)) return false;
   const CandidateContext candidates{measured.annotation, context.view, context.occupied.padded(), context.occupied.paddedModel(), context.occupied.guides(),
                                     context.objectPlanes, context.viewMoved, history, context.toleranceM, slipPlanes_};
-  for (const bool onGuides : {true, false}) {
-    gather(measured, candidates, onGuides);
-    if (chooseBest(measured, context)) return true;
+  chainBases_.clear();
+  for (std::size_t i = 0; i < measured.clusters.size(); ++i) {
+    gatherChainBaseLines(measured.clusters[i], static_cast<std::int32_t>(i), context.view, chainBases_);
   }
+  // A chain that has no room as a whole, or passes behind the viewer, may leave room for one of its base lines; that stays for a while before the chain is
+  // looked at again.
+  const bool singleStays = history.last().chain < 0 && history.last().plane >= 0 && history.framesHeld() < kReturnFrames;
+  if (singleStays && chooseOutside(bases_, measured, candidates, context)) return true;
+  if (!chainBases_.empty() && chooseOutside(chainBases_, measured, candidates, context)) return true;
+  if (!singleStays && chooseOutside(bases_, measured, candidates, context)) return true;
   chooseInside(measured, candidates, context);
   return true;
 }
 
-/// Candidates on guides, or else outside the silhouette, best first. A chained parameter slides its chains; if it has none that can be used, as
-/// when they pass behind the viewer, its base lines stand for themselves.
-void Chooser::gather(const Measured& measured, const CandidateContext& context, bool onGuides) {
-  candidates_.clear();
-  if (!measured.clusters.empty()) {
-    chainBases_.clear();
-    for (std::size_t i = 0; i < measured.clusters.size(); ++i) {
-      gatherChainBaseLines(measured.clusters[i], static_cast<std::int32_t>(i), context.view, chainBases_);
-    }
+/// The base lines that can be used, by thresholds that are `factor` times those of constants.h. False when there is none.
+bool Chooser::gatherBases(const Measured& measured, const ChoiceContext& context, double factor) {
+  bases_.clear();
+  tally_ = {};
+  for (const std::size_t scope : measured.scopes) {
+    if (context.usable[scope] != 0) gatherBaseLines(measured.annotation, context.scopes[scope], scope, context.view, factor, bases_, tally_);
   }
-  for (const UsableBaseLine& base : measured.clusters.empty() ? bases_ : chainBases_) {
-    if (onGuides) {
-      gatherGuideCandidates(context, base, candidates_);
-    } else {
-      gatherOutsideCandidates(context, base, candidates_);
-    }
+  return !bases_.empty();
+}
+
+/// The best candidate on a guide or, when there is none, outside the silhouette.
+bool Chooser::chooseOutside(std::span<const UsableBaseLine> bases, const Measured& measured, const CandidateContext& candidates,
+                            const ChoiceContext& context) {
+  for (const auto gather : {gatherGuideCandidates, gatherOutsideCandidates}) {
+    candidates_.clear();
+    for (const UsableBaseLine& base : bases) gather(candidates, base, candidates_);
+    // Equal scores are ordered by identity, so that the same frame always gives the same layout.
+    std::ranges::sort(candidates_, [](const Candidate& a, const Candidate& b) {
+      return a.score != b.score ? a.score > b.score : orderOf(a.identity) < orderOf(b.identity);
+    });
+    if (chooseBest(measured, context)) return true;
   }
-  // Equal scores are ordered by identity, so that the same frame always gives the same layout.
-  std::ranges::sort(candidates_, [](const Candidate& a, const Candidate& b) {
-    return a.score != b.score ? a.score > b.score : orderOf(a.identity) < orderOf(b.identity);
-  });
+  return false;
 }
 
 /// computeWinner. Crossings and labels are dear, so they are looked at only for candidates that could still win: crossings only lower a
@@ -69,9 +78,9 @@ bool Chooser::chooseBest(const Measured& measured, const ChoiceContext& context)
     if (found && bestScore >= candidate.score) break;
     const Landed::Crossings landed = context.occupied.landed().crossings(candidate.baseScreen, candidate.footScreen, candidate.lineScreen);
     const Landed::Crossings ahead = context.lookAhead.crossings(candidate.baseScreen, candidate.footScreen, candidate.lineScreen);
-    const double score = candidate.score + (landed.lines ? kScoreIntersect : 0.0) + (landed.extensions ? kScoreCrossesExtension : 0.0) +
-                         (landed.labels ? kScoreCoversLabel : 0.0) + (ahead.lines ? kScoreIntersect : 0.0) +
-                         (ahead.extensions ? kScoreCrossesExtension : 0.0) + (context.lookAhead.crowds(candidate.lineScreen) ? kScoreCrowdsAhead : 0.0);
+    const double score = candidate.score + lessened(landed) + (landed.labels ? kScoreCoversLabel : 0.0) + lessened(ahead) +
+                         (context.lookAhead.crowds(candidate.lineScreen) ? kScoreCrowdsAhead : 0.0) +
+                         (context.lookAhead.shadows(candidate.footScreen, candidate.lineScreen) ? kScoreShadowsAhead : 0.0);
     if (found && bestScore >= score) continue;
     if (!settle(candidate, measured, context)) continue;
     found = true;
@@ -82,14 +91,18 @@ bool Chooser::chooseBest(const Measured& measured, const ChoiceContext& context)
   return found;
 }
 
-/// The fallback: the base lines themselves (algorithm 1, line 9). A label that has no room there is left out.
+/// The fallback: the base lines themselves (algorithm 1, line 9), the best that runs into no other line, or else the best. A label that has no room there
+/// is left out.
 void Chooser::chooseInside(const Measured& measured, const CandidateContext& candidates, const ChoiceContext& context) {
+  const Landed& landed = context.occupied.landed();
   candidates_.clear();
   for (const UsableBaseLine& base : bases_) gatherInsideCandidate(candidates, base, context.scopes[base.scope].box, candidates_);
-  winner_ = *std::ranges::max_element(candidates_, {}, &Candidate::score);
+  const auto rank = [&](const Candidate& c) { return std::pair(!landed.runsInto(c.lineScreen), c.score); };
+  const auto best = std::ranges::max_element(candidates_, {}, rank);
+  cramped_ = landed.runsInto(best->lineScreen);
+  winner_ = *best;
   winnerLines_.clear();
-  winnerLines_.push_back(chosen(winner_, placeLabel({.line = winner_.lineScreen, .textSize = measured.textSize}, context.occupied.landed(),
-                                                    context.view.viewport())));
+  winnerLines_.push_back(chosen(winner_, placeLabel({.line = winner_.lineScreen, .textSize = measured.textSize}, landed, context.view.viewport())));
 }
 
 /// Fills `lines_` with the lines that a candidate stands for. False when there is none that has room.

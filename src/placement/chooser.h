@@ -44,10 +44,13 @@ class Chooser {
 
   [[nodiscard]] const Candidate& winner() const { return winner_; }
   [[nodiscard]] std::span<const ChosenLine> lines() const { return winnerLines_; }
+  /// Whether the choice is a base line that runs into a line that has landed.
+  [[nodiscard]] bool cramped() const { return cramped_; }
   [[nodiscard]] const BaseLineTally& tally() const { return tally_; }
 
  private:
-  void gather(const Measured& measured, const CandidateContext& context, bool onGuides);
+  bool gatherBases(const Measured& measured, const ChoiceContext& context, double factor);
+  bool chooseOutside(std::span<const UsableBaseLine> bases, const Measured& measured, const CandidateContext& candidates, const ChoiceContext& context);
   bool chooseBest(const Measured& measured, const ChoiceContext& context);
   void chooseInside(const Measured& measured, const CandidateContext& candidates, const ChoiceContext& context);
   bool settle(Candidate& candidate, const Measured& measured, const ChoiceContext& context);
@@ -57,6 +60,7 @@ class Chooser {
   [[nodiscard]] bool fellowsLeaveRoom(const Box2& label, std::size_t own) const;
 
   BaseLineTally tally_;
+  bool cramped_ = false;
   Candidate winner_;
   std::vector<ChosenLine> winnerLines_;
   std::vector<ChosenLine> lines_;           ///< of the candidate that is looked at

@@ -4,29 +4,45 @@
 
 namespace dimline {
 
-double History::bonus(const Identity& candidate) const {
-  if (candidate == last_) return kScoreStay;
+double History::bonus(const Identity& candidate, const Segment2& awayPx) const {
+  if (candidate == last_) {
+    const bool jumps = awayPx_ && std::max(glm::length(awayPx.start - awayPx_->start), glm::length(awayPx.end - awayPx_->end)) > kLeapPx;
+    return jumps ? 0.0 : kScoreStay;
+  }
   const auto lately = [&](const Left& left) { return left.framesAgo < kReturnFrames && left.identity == candidate; };
   return std::ranges::any_of(left_, lately) ? kScoreReturn : 0.0;
 }
 
 double History::relaxedOffsetM(double leastM, double stepM) const {
-  return std::clamp(offsetM_ - stepM, leastM, leastM * kMostOffsetRatio);
+  if (stepM == 0) return std::max(offsetM_, leastM);
+  const double comingNearerM = offsetM_ - stepM;
+  return std::max({leastM, std::min(comingNearerM, leastM * kMostOffsetRatio), offsetM_ - kHurryFactor * stepM});
 }
 
 void History::age() {
+  framesHeld_ = std::min(framesHeld_ + 1, kReturnFrames);
   for (Left& left : left_) left.framesAgo = std::min(left.framesAgo + 1, kReturnFrames);
 }
 
-void History::choose(const Identity& choice, double offsetM) {
+void History::choose(const Identity& choice, double offsetM, const Segment2& awayPx) {
+  awayPx_ = awayPx;
+  hidden_ = false;
   offsetM_ = offsetM;
   if (choice == last_) return;
+  framesHeld_ = 0;
   const Identity none{.parameter = last_.parameter};
   if (last_ != none) *std::ranges::max_element(left_, {}, &Left::framesAgo) = {last_, 0};
   last_ = choice;
 }
 
+void History::forgetOffset() {
+  offsetM_ = -1;
+  awayPx_.reset();
+}
+
 void History::choseNone() {
+  awayPx_.reset();
+  hidden_ = true;
   last_ = {.parameter = last_.parameter};
   offsetM_ = -1;
   left_.fill({});

@@ -1,11 +1,15 @@
 #pragma once
 
 #include <array>
+#include <optional>
 
 #include "core/constants.h"
 #include "placement/layout.h"
 
 namespace dimline {
+
+/// How far a line's ends lie from its base line's (px).
+inline Segment2 away(const Segment2& base, const Segment2& line) { return {line.start - base.start, line.end - base.end}; }
 
 /// What a parameter's handle was in the frames before: what damping and hysteresis look at (paper 4.2, Damp, and principle 9).
 class History {
@@ -17,20 +21,25 @@ class History {
 
   /// What hysteresis adds to a candidate's score beyond the paper's Damp: kScoreStay for the last frame's choice, and kScoreReturn for those that were
   /// left within the last kReturnFrames. Damp alone cannot hold a line that others push to and fro.
-  [[nodiscard]] double bonus(const Identity& candidate) const;
+  /// The last frame's choice has none when it would jump: from `awayPx` off its base line then to elsewhere now, by more than kLeapPx.
+  [[nodiscard]] double bonus(const Identity& candidate, const Segment2& awayPx = {}) const;
 
   /// The offset (m) at which the last frame's choice shall lie now, when it may lie anywhere from `leastM` on: nearer than it was by `stepM` at most, and no further
-  /// out than kMostOffsetRatio of what it must. `leastM` when the model has changed since.
+  /// out than kMostOffsetRatio of what it must, or on its way there by kHurryFactor steps. Before a still camera (`stepM` 0) it stays where it was. `leastM` when the model has changed since.
   [[nodiscard]] double relaxedOffsetM(double leastM, double stepM) const;
 
   /// To be told before a frame whose view is another than the last one's. Frames before a still camera do not count, or a line could move with time alone.
   void age();
-  /// Notes this frame's choice and its offset (negative: none that the next frame should look at).
-  void choose(const Identity& choice, double offsetM);
+  /// Notes this frame's choice, its offset (negative: none that the next frame should look at), and how far it lies from its base line on screen (px).
+  void choose(const Identity& choice, double offsetM, const Segment2& awayPx = {});
   /// The model has changed: offsets of the last frame mean nothing any more.
-  void forgetOffset() { offsetM_ = -1; }
+  void forgetOffset();
   /// Nothing was shown.
   void choseNone();
+  /// Whether there was a last frame and nothing was shown in it.
+  [[nodiscard]] bool hidden() const { return hidden_; }
+  /// Moved frames since the last frame's choice was made for the first time; counts to kReturnFrames.
+  [[nodiscard]] int framesHeld() const { return framesHeld_; }
 
  private:
   struct Left {
@@ -38,6 +47,9 @@ class History {
     int framesAgo = kReturnFrames;
   };
   Identity last_;
+  bool hidden_ = false;
+  int framesHeld_ = 0;
+  std::optional<Segment2> awayPx_;    ///< of the last choice from its base line; nothing when the model has changed since
   double offsetM_ = -1;               ///< of the last choice; negative when it is not known
   std::array<Left, kReturnFrames> left_;   ///< what was left of late
 };

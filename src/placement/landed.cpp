@@ -5,6 +5,21 @@
 
 namespace dimline {
 
+namespace {
+
+/// Whether two segments share a stretch of more than kExtensionClearancePx along which they are less than kSameLinePx apart.
+bool lieOnEachOther(const Segment2& a, const Segment2& b) {
+  const double length = a.length();
+  if (!(length > 0)) return false;
+  const Vec2 along = (a.end - a.start) / length;
+  const auto aside = [&](const Vec2& p) { return std::abs(along.x * (p.y - a.start.y) - along.y * (p.x - a.start.x)); };
+  if (aside(b.start) > kSameLinePx || aside(b.end) > kSameLinePx) return false;
+  const auto [from, to] = std::minmax({glm::dot(b.start - a.start, along), glm::dot(b.end - a.start, along)});
+  return std::min(to, length) - std::max(from, 0.0) > kExtensionClearancePx;
+}
+
+}  // namespace
+
 void Landed::clear() {
   lines_.clear();
   extensions_.clear();
@@ -68,8 +83,16 @@ Landed::Crossings Landed::crossings(const Segment2& base, const Segment2& foot, 
   return found;
 }
 
-bool Landed::crowds(const Segment2& line) const {
-  return std::ranges::any_of(lines_, [&](const Line& l) { return distanceBetween(l.segment, line) < kHandleSpacingPx; });
+bool Landed::comesWithin(double px, const Segment2& line) const {
+  return std::ranges::any_of(lines_, [&](const Line& l) { return distanceBetween(l.segment, line) < px; });
+}
+
+bool Landed::liesOnLine(const Segment2& segment) const {
+  return std::ranges::any_of(lines_, [&](const Line& l) { return lieOnEachOther(segment, l.segment); });
+}
+
+bool Landed::runsInto(const Segment2& segment) const {
+  return liesOnLine(segment) || std::ranges::any_of(lines_, [&](const Line& l) { return segmentsCross(segment, l.segment, kCrossingPx); });
 }
 
 bool Landed::hasRoom(const Segment2& line, int guide) const {

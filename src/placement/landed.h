@@ -33,8 +33,13 @@ class Landed {
   };
   [[nodiscard]] Crossings crossings(const Segment2& base, const Segment2& foot, const Segment2& line) const;
 
-  /// Whether a line comes nearer than handleSpacing to one that has landed.
-  [[nodiscard]] bool crowds(const Segment2& line) const;
+  /// Whether a line comes nearer than `px` to one that has landed.
+  [[nodiscard]] bool comesWithin(double px, const Segment2& line) const;
+
+  /// Whether a segment crosses a line that has landed, or lies on one.
+  [[nodiscard]] bool runsInto(const Segment2& segment) const;
+  /// Whether a segment lies on a line that has landed, so that the two are drawn as one.
+  [[nodiscard]] bool liesOnLine(const Segment2& segment) const;
 
   /// Whether a line on a guide keeps handleSpacing from the lines of other guides and kLabelClearancePx from all labels, and crosses no extension line.
   [[nodiscard]] bool hasRoom(const Segment2& line, int guide) const;

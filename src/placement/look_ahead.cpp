@@ -1,21 +1,76 @@
 #include "placement/look_ahead.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace dimline {
 
-void LookAhead::begin(std::span<const Measured> order, const View& view, bool changed) {
+namespace {
+
+/// px. Lines stand exactly handleSpacing apart; what is compared with that must not hang on rounding.
+constexpr double kSlackPx = 1.0;
+
+unsigned bit(ViewportEdge edge) { return 1U << static_cast<unsigned>(edge); }
+
+/// Whether a segment, grown by `growPx`, comes between a viewport edge and a line anywhere.
+bool standsBefore(const Segment2& s, double growPx, ViewportEdge edge, const Segment2& line) {
+  const bool rows = edge == ViewportEdge::kLeft || edge == ViewportEdge::kRight;
+  const int away = rows ? 0 : 1;
+  const int along = 1 - away;
+  const double sign = edge == ViewportEdge::kLeft || edge == ViewportEdge::kTop ? 1.0 : -1.0;
+  const double from = std::max(std::min(line.start[along], line.end[along]), std::min(s.start[along], s.end[along]) - growPx);
+  const double to = std::min(std::max(line.start[along], line.end[along]), std::max(s.start[along], s.end[along]) + growPx);
+  if (from > to) return false;
+  const auto distanceAt = [&](const Segment2& of, double at) {
+    const double run = of.end[along] - of.start[along];
+    if (std::abs(run) < 1.0) return std::min(sign * of.start[away], sign * of.end[away]);
+    return sign * (of.start[away] + (of.end[away] - of.start[away]) * std::clamp((at - of.start[along]) / run, 0.0, 1.0));
+  };
+  return distanceAt(s, from) - growPx < distanceAt(line, from) || distanceAt(s, to) - growPx < distanceAt(line, to);
+}
+
+}  // namespace
+
+void LookAhead::begin(std::span<const Measured> order, const View& view, const DistanceFields& model, bool changed) {
   if (changed) std::swap(past_, present_);
   present_.clear();
   ahead_.clear();
+  free_.clear();
   marks_.resize(order.size());
   const auto inFront = [&](const Segment& s) { return view.inFrontOfNear(s.start) && view.inFrontOfNear(s.end); };
   for (std::size_t rank = order.size(); rank-- > 0;) {
     marks_[rank] = ahead_.mark();
     for (const Line& l : past_) {
       if (l.parameter != order[rank].parameter || !inFront(l.base) || !inFront(l.foot) || !inFront(l.line)) continue;
-      ahead_.add(view.toScreen(l.base), view.toScreen(l.foot), view.toScreen(l.line));
+      const Segment2 line = view.toScreen(l.line);
+      ahead_.add(view.toScreen(l.base), view.toScreen(l.foot), line);
+      Free& free = free_.emplace_back();
+      free.line = line;
+      for (const ViewportEdge edge : kViewportEdges) {
+        if (clears(model, edge, line)) free.edges |= bit(edge);
+      }
     }
   }
 }
+
+void LookAhead::reach(std::size_t rank) {
+  ahead_.backTo(marks_[rank]);
+  free_.resize(marks_[rank].lines);
+}
+
+bool LookAhead::shadows(const Segment2& foot, const Segment2& line) const {
+  const auto comesBetween = [&](ViewportEdge edge, const Segment2& of) {
+    return standsBefore(line, kHandleSpacingPx - kSlackPx, edge, of) || standsBefore({foot.start, line.start}, kExtensionClearancePx, edge, of) ||
+           standsBefore({foot.end, line.end}, kExtensionClearancePx, edge, of);
+  };
+  return std::ranges::any_of(free_, [&](const Free& free) {
+    return free.edges != 0 && std::ranges::none_of(kViewportEdges, [&](ViewportEdge edge) {
+             return (free.edges & bit(edge)) != 0 && !comesBetween(edge, free.line);
+           });
+  });
+}
+
+bool LookAhead::crowds(const Segment2& line) const { return ahead_.comesWithin(kHandleSpacingPx - kSlackPx, line); }
 
 void LookAhead::forget() {
   past_.clear();

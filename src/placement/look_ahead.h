@@ -14,13 +14,17 @@ class LookAhead {
  public:
   /// A frame begins. `changed`: the view or the scene is another than in the last frame; before a still camera the same lines are looked at again, so that
   /// nothing moves with time alone.
-  void begin(std::span<const Measured> order, const View& view, bool changed);
+  void begin(std::span<const Measured> order, const View& view, const DistanceFields& model, bool changed);
   /// It is the turn of the parameter of that rank in the order: lines up to its own are no longer ahead.
-  void reach(std::size_t rank) { ahead_.backTo(marks_[rank]); }
+  void reach(std::size_t rank);
   [[nodiscard]] Landed::Crossings crossings(const Segment2& base, const Segment2& foot, const Segment2& line) const {
     return ahead_.crossings(base, foot, line);
   }
-  [[nodiscard]] bool crowds(const Segment2& line) const { return ahead_.crowds(line); }
+  /// Whether a line comes nearer than handleSpacing to one ahead.
+  [[nodiscard]] bool crowds(const Segment2& line) const;
+  /// Whether a line ahead stood free towards a viewport edge and no longer would: the line, or one of its extension lines, comes between it and each edge
+  /// from which it was seen.
+  [[nodiscard]] bool shadows(const Segment2& foot, const Segment2& line) const;
   /// A line of this frame has landed: in the world its base line, that line's foot on the plane, and the final line.
   void note(std::size_t parameter, const Segment& base, const Segment& foot, const Segment& line) { present_.push_back({parameter, base, foot, line}); }
   void forget();
@@ -34,6 +38,11 @@ class LookAhead {
   std::vector<Line> present_;   ///< of this frame so far
   Landed ahead_;
   std::vector<Landed::Mark> marks_;   ///< one a rank: how much of `ahead_` is of later ranks
+  struct Free {
+    Segment2 line;
+    unsigned edges = 0;   ///< bit set of the viewport edges from which it is seen past the model
+  };
+  std::vector<Free> free_;            ///< the lines of `ahead_`, in its order
 };
 
 }  // namespace dimline

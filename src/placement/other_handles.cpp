@@ -14,6 +14,12 @@ namespace {
 constexpr double kRadPerDeg = 0.017453292519943295;
 constexpr std::size_t kArcSamples = 16;
 
+/// How far beyond the least shift a pill looks for room, and in how many rings of its height around its anchor when it stays inside. Fewer: it is hidden as
+/// crowded where a person would see a place. More: it stands too far from what it belongs to.
+constexpr double kPillStepPx = 8.0;
+constexpr int kPillSteps = 25;
+constexpr int kPillRings = 5;
+
 /// The eight directions on screen in which a pill may move, by number: 0 is right, then clockwise on screen in steps of 45 degrees.
 Vec2 compass(int number) {
   const double rad = number * 45.0 * kRadPerDeg;
@@ -64,6 +70,51 @@ double leastShiftPx(const DistanceFields& fields, ViewportEdge edge, const Box2&
     }
   }
   return std::numeric_limits<double>::infinity();
+}
+
+Box2 shifted(const Box2& box, const Vec2& by) { return {box.min + by, box.max + by}; }
+
+/// The box, moved into the viewport's margin by the shortest way.
+Box2 shiftedInto(const Box2& box, const Box2& viewport) {
+  const Box2 allowed = viewport.grown(-kViewportMarginPx);
+  Vec2 by{0.0};
+  for (int axis = 0; axis < 2; ++axis) {
+    by[axis] = std::max(allowed.min[axis] - box.min[axis], 0.0) + std::min(allowed.max[axis] - box.max[axis], 0.0);
+  }
+  return shifted(box, by);
+}
+
+/// The first place outside in a direction on screen, from the least shift on in steps, that all that has landed leaves free; nothing when there is none in the
+/// viewport.
+std::optional<Box2> roomTowards(const Box2& from, const Vec2& direction, const OtherHandleContext& context) {
+  double shift = leastShiftPx(context.padded, from, direction);
+  if (!std::isfinite(shift)) return std::nullopt;
+  for (int step = 0; step < kPillSteps; ++step, shift += kPillStepPx) {
+    const Box2 box = shifted(from, direction * shift);
+    if (!inside(box, context.view.viewport())) return std::nullopt;
+    if (clears(context.padded, box) && context.landed.hasRoom(box)) return box;
+  }
+  return std::nullopt;
+}
+
+/// The box, or the nearest place on rings around it, that is in the viewport and that all that has landed leaves free.
+std::optional<Box2> roomAround(const Box2& box, const OtherHandleContext& context) {
+  for (int ring = 0; ring < kPillRings; ++ring) {
+    for (int number = 0; number < (ring == 0 ? 1 : 8); ++number) {
+      const Box2 place = shifted(box, compass(number) * (ring * kPillHeightPx));
+      if (inside(place, context.view.viewport()) && context.landed.hasRoom(place)) return place;
+    }
+  }
+  return std::nullopt;
+}
+
+/// `way`: the direction in which it was moved out; -1 for one that was not.
+Identity identityOf(const OtherHandle& handle, const Scope& scope, int way) {
+  return {.parameter = static_cast<std::int32_t>(handle.parameter),
+          .scopeIndex = static_cast<std::int32_t>(scope.index),
+          .baseLine = 0,
+          .plane = static_cast<std::int16_t>(way),
+          .direction = 0};
 }
 
 /// Where the options of a range are offered: in a column under the pill, or over it when there is no room below.
@@ -133,9 +184,10 @@ Vec2 pillSizePx(const Parameter& parameter) {
   return {width + kPillExtraWidthPx, kPillHeightPx};
 }
 
-bool placePill(const OtherHandle& handle, const OtherHandleContext& context, PlacedHandle& placed) {
+std::optional<HiddenReason> placePill(const OtherHandle& handle, const OtherHandleContext& context, PlacedHandle& placed) {
   const Vec2 size = pillSizePx(handle.definition);
   bool found = false;
+  bool anchored = false;   // an anchor is in the viewport
   double bestScore = -std::numeric_limits<double>::infinity();
   const auto offer = [&](std::size_t scope, const Vec2& anchor, const Box2& box, int direction, double offerScore) {
     if (offerScore <= bestScore) return;
@@ -145,45 +197,37 @@ bool placePill(const OtherHandle& handle, const OtherHandleContext& context, Pla
     placed.anchor = anchor;
     placed.box = box;
     placed.placement = direction < 0 ? PlacementKind::kInside : PlacementKind::kOutside;
-    placed.identity = {.parameter = static_cast<std::int32_t>(handle.parameter),
-                       .scopeIndex = static_cast<std::int32_t>(context.scopes[scope].index),
-                       .baseLine = 0,
-                       .plane = static_cast<std::int16_t>(direction),
-                       .direction = 0};
+    placed.identity = identityOf(handle, context.scopes[scope], direction);
   };
   for (const std::size_t scope : handle.scopes) {
     const Vec3 world = anchorOf(handle.annotation, context.scopes[scope].box);
     if (!context.view.inFrontOfNear(world)) continue;
     const Vec2 anchor = context.view.toScreen(world);
-    const Box2 atAnchor = boxAround(anchor, size);
-    if (!inside(atAnchor, context.view.viewport())) continue;
+    if (!inside({anchor, anchor}, context.view.viewport())) continue;
+    anchored = true;
+    const Box2 atAnchor = shiftedInto(boxAround(anchor, size), context.view.viewport());
     // A place outside beats any inside, as for lines.
     constexpr double kInsideScore = -1e6;
-    if (context.landed.hasRoom(atAnchor)) offer(scope, anchor, atAnchor, -1, kInsideScore);
+    if (const auto box = roomAround(atAnchor, context)) {
+      offer(scope, anchor, *box, -1, kInsideScore - glm::length(box->center() - anchor));
+    }
     if (handle.annotation.slip == Slip::kNone) continue;
     for (int number = 0; number < 8; ++number) {
-      const Vec2 direction = compass(number);
-      const double shift = leastShiftPx(context.padded, atAnchor, direction);
-      if (!std::isfinite(shift)) continue;
-      const Box2 box{atAnchor.min + direction * shift, atAnchor.max + direction * shift};
-      if (!inside(box, context.view.viewport()) || !context.landed.hasRoom(box)) continue;
-      const Identity identity{.parameter = static_cast<std::int32_t>(handle.parameter),
-                              .scopeIndex = static_cast<std::int32_t>(context.scopes[scope].index),
-                              .baseLine = 0,
-                              .plane = static_cast<std::int16_t>(number),
-                              .direction = 0};
-      const Vec2 tip = box.center() - direction * (0.5 * size.y);
+      const auto box = roomTowards(atAnchor, compass(number), context);
+      if (!box) continue;
+      const Identity identity = identityOf(handle, context.scopes[scope], number);
+      const Vec2 tip = box->center() - compass(number) * (0.5 * size.y);
       const Landed::Crossings crossings = context.landed.crossings({anchor, anchor}, {anchor, anchor}, {tip, tip});
-      offer(scope, anchor, box, number,
+      offer(scope, anchor, *box, number,
             score({.base = {anchor, anchor},
-                   .candidate = {box.center(), box.center()},
+                   .candidate = {box->center(), box->center()},
                    .align = handle.annotation.align,
                    .sameAsLastFrame = identity == handle.history.last(),
                    .intersects = crossings.lines}) +
                 handle.history.bonus(identity) + (crossings.labels ? kScoreCoversLabel : 0.0));
     }
   }
-  if (!found) return false;
+  if (!found) return anchored ? HiddenReason::kCrowded : HiddenReason::kOutOfView;
   placed.parameter = handle.parameter;
   placed.type = handle.annotation.type;
   placed.value = handle.value;
@@ -193,7 +237,7 @@ bool placePill(const OtherHandle& handle, const OtherHandleContext& context, Pla
   placed.handles.push_back({true, placed.box.center()});
   placed.options.clear();
   if (handle.annotation.type == HandleType::kRange) placeOptions(handle, context, placed);
-  return true;
+  return std::nullopt;
 }
 
 Arc arcAt(const Annotation& annotation, const Obb& scope, double angleRad, double minRadiusM, double maxRadiusM) {
@@ -210,24 +254,19 @@ Arc arcAt(const Annotation& annotation, const Obb& scope, double angleRad, doubl
   return arc;
 }
 
-bool placeArc(const OtherHandle& handle, const OtherHandleContext& context, PlacedHandle& placed) {
+std::optional<HiddenReason> placeArc(const OtherHandle& handle, const OtherHandleContext& context, PlacedHandle& placed) {
   const std::string text = labelText(handle.definition, handle.value);
   const Vec2 labelSize = labelSizePx(text);
   bool found = false;
+  bool facing = false;   // one is not edge-on
   double bestScore = -std::numeric_limits<double>::infinity();
   for (const std::size_t scope : handle.scopes) {
     const Obb& box = context.scopes[scope].box;
     const double metresPerPx = context.view.metresPerPixelAt(box.origin);
     const Arc home = arcAt(handle.annotation, box, handle.value * kRadPerDeg, kArcMinRadiusPx * metresPerPx, kArcMaxRadiusPx * metresPerPx);
-    const double facing = std::abs(glm::dot(home.axis, context.view.directionTo(home.center)));
-    if (facing < std::sin(kForeshortenedAngleRad)) continue;
-    const auto identityOf = [&](int direction) {
-      return Identity{.parameter = static_cast<std::int32_t>(handle.parameter),
-                      .scopeIndex = static_cast<std::int32_t>(context.scopes[scope].index),
-                      .baseLine = 0,
-                      .plane = static_cast<std::int16_t>(direction),
-                      .direction = 0};
-    };
+    const double facingShare = std::abs(glm::dot(home.axis, context.view.directionTo(home.center)));
+    if (facingShare < std::sin(kForeshortenedAngleRad)) continue;
+    facing = true;
     const auto offer = [&](const Arc& arc, PlacementKind placement, int direction, double offerScore) {
       std::array<Vec2, kArcSamples + 1> points;
       if (offerScore <= bestScore || !project(arc, context.view, points)) return;
@@ -242,14 +281,14 @@ bool placeArc(const OtherHandle& handle, const OtherHandleContext& context, Plac
       placed.arc = arc;
       placed.handles.clear();
       placed.handles.push_back({true, points[kArcSamples]});
-      placed.identity = identityOf(direction);
+      placed.identity = identityOf(handle, context.scopes[scope], direction);
     };
     const auto damp = [&](int direction) {
-      const Identity identity = identityOf(direction);
+      const Identity identity = identityOf(handle, context.scopes[scope], direction);
       return (identity == handle.history.last() ? kScoreDamp : 0.0) + handle.history.bonus(identity);
     };
     // In its frame the arc that is turned most towards the viewer reads best; that is worth as much as the plane's facing is to a line.
-    offer(home, PlacementKind::kInside, -1, kScorePlane * facing + damp(-1) - 1e6 * (handle.annotation.slip == Slip::kNone ? 0 : 1));
+    offer(home, PlacementKind::kInside, -1, kScorePlane * facingShare + damp(-1) - 1e6 * (handle.annotation.slip == Slip::kNone ? 0 : 1));
     if (handle.annotation.slip == Slip::kNone) continue;
     const Vec3 other = glm::cross(home.axis, home.from);
     for (int direction = 0; direction < 4; ++direction) {
@@ -257,16 +296,16 @@ bool placeArc(const OtherHandle& handle, const OtherHandleContext& context, Plac
       const Vec3 outward = (direction < 2 ? home.from : other) * (direction % 2 == 0 ? 1.0 : -1.0);
       if (!slideArc(moved, outward, labelSize, context)) continue;
       const Vec2 offset = context.view.toScreen(moved.center) - context.view.toScreen(home.center);
-      offer(moved, PlacementKind::kOutside, direction, kScorePlane * facing + damp(direction) + kScoreDistance * glm::length(offset));
+      offer(moved, PlacementKind::kOutside, direction, kScorePlane * facingShare + damp(direction) + kScoreDistance * glm::length(offset));
     }
   }
-  if (!found) return false;
+  if (!found) return facing ? HiddenReason::kOutOfView : HiddenReason::kForeshortened;
   placed.parameter = handle.parameter;
   placed.type = HandleType::kAngular;
   placed.value = handle.value;
   placed.text = text;
   placed.options.clear();
-  return true;
+  return std::nullopt;
 }
 
 }  // namespace dimline

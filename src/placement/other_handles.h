@@ -30,13 +30,13 @@ struct OtherHandle {
 
 /// Places a boolean or a range handle: a pill of fixed size for its parameter, moved from the middle of the scope's face in the direction of `orient` to where
 /// it clears the padded fields and all that has landed, in one of eight directions on screen; scored like a line by distance, alignment, damping and
-/// crossings (paper 5: "placed similarly to dimension lines"). At its anchor when there is no place outside, or with slip=none. False when
-/// no scope's anchor is in the viewport.
-bool placePill(const OtherHandle& handle, const OtherHandleContext& context, PlacedHandle& placed);
+/// crossings (paper 5: "placed similarly to dimension lines"). At its anchor when there is no place outside, or with slip=none. Returns nothing
+/// when it is placed, else the reason: no scope's anchor is in the viewport, or there is no room.
+std::optional<HiddenReason> placePill(const OtherHandle& handle, const OtherHandleContext& context, PlacedHandle& placed);
 
 /// Places an angular handle: an arc in its scope's frame, from the axis that follows `orient`'s towards the next one, around the scope's origin corner. With a
-/// slip other than none it is moved along its plane to outside the silhouette. False when no scope's arc is seen, since all stand edge-on or out of view.
-bool placeArc(const OtherHandle& handle, const OtherHandleContext& context, PlacedHandle& placed);
+/// slip other than none it is moved along its plane to outside the silhouette. Returns nothing when it is placed, else the reason: all scopes' arcs stand edge-on, or out of view.
+std::optional<HiddenReason> placeArc(const OtherHandle& handle, const OtherHandleContext& context, PlacedHandle& placed);
 
 /// Size of a pill (px): the widest text that it may have to show, so that it does not change with its value.
 Vec2 pillSizePx(const Parameter& parameter);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 
 #include "placement/chooser.h"
 #include "placement/other_handles.h"
@@ -28,6 +29,15 @@ void writeExtension(const Vec2& base, const Vec2& foot, const Vec2& end, std::ve
   polyline.push_back(base);
   if (foot != base) polyline.push_back(foot);
   polyline.push_back(end);
+}
+
+/// Moves an extension line that would lie on a dimension line a little towards the middle of its own line (paper 5, "Extension Lines").
+void moveAside(std::vector<Vec2>& extension, const Vec2& towardsMiddle, const Landed& landed) {
+  bool onLine = false;
+  for (std::size_t i = 1; i < extension.size(); ++i) onLine = onLine || landed.liesOnLine({extension[i - 1], extension[i]});
+  const double length = glm::length(towardsMiddle);
+  if (!onLine || length < 4 * kExtensionAsidePx) return;
+  for (Vec2& p : extension) p += towardsMiddle * (kExtensionAsidePx / length);
 }
 
 /// Takes one out of the spare ones, with the memory that it holds, or makes one.
@@ -61,9 +71,13 @@ struct Placer::State {
     std::vector<char> seen;           ///< one a scope: in view, and not hidden by the model
     LookAhead lookAhead;
     Mat4 viewProjection{0.0};
+    Vec3 forward{0.0};
+    std::size_t crowded = 0;          ///< how many of the shortest lines are hidden for want of room
+    int crowdedFrames = kReturnFrames;   ///< moved frames since that many were found to be too few
     bool sceneChanged = false;        ///< since the last frame
   };
   Past past;
+  Past beforePlacing;                 ///< in a viewport that may be too small: what to go back to
 
   // Memory of one frame, kept so that the next allocates nothing.
   Occupied occupied;
@@ -74,10 +88,13 @@ struct Placer::State {
   std::vector<PlacedLine> spareLines;
   std::vector<PlacedHandle> spareHandles;
 
+  bool beginFrame(const View& view);
+  bool placeAll(const View& view, const DistanceFields& fields, const Values& values, std::size_t crowded, bool viewMoved, const PlacedLine* held,
+                Layout& layout);
   void findVisible(const View& view, const ScopeVisibility* visibility);
   [[nodiscard]] std::span<const char> usableScopes(const Annotation& annotation) const { return annotation.occlusion ? past.seen : inView; }
   [[nodiscard]] BaseLineTally scopesOutOfSight(const Measured& measured) const;
-  void placeLines(Measured& measured, const ChoiceContext& context, double value, Layout& layout);
+  bool placeLines(Measured& measured, const ChoiceContext& context, double value, Layout& layout);
   void landChoice(const Measured& measured, double value, Layout& layout);
   void landHeld(const PlacedLine& held, Layout& layout);
   void placeOther(const Measured& measured, const View& view, double value, Layout& layout);
@@ -136,39 +153,81 @@ void Placer::setScene(const Model& model, const Scene& scene) {
 void Placer::place(const View& view, const DistanceFields& fields, const Values& values, Layout& layout,
                    const ScopeVisibility* visibility, const PlacedLine* held) {
   State& s = *state_;
-  recycle(layout.lines, s.spareLines);
-  recycle(layout.others, s.spareHandles);
-  layout.hidden.clear();
-  layout.visibleScopes.clear();
-  layout.view = view;
-
-  const bool viewMoved = view.viewProjection() != s.past.viewProjection;
-  s.past.viewProjection = view.viewProjection();
-  if (viewMoved) {
-    for (History& history : s.past.histories) history.age();
-  }
-  s.past.lookAhead.begin(s.order, view, viewMoved || s.past.sceneChanged);
+  if (glm::dot(view.forward(), s.past.forward) < std::cos(kForgetTurnRad)) forget();
+  const bool viewMoved = s.beginFrame(view);
+  s.past.lookAhead.begin(s.order, view, fields, viewMoved || s.past.sceneChanged);
   s.past.sceneChanged = false;
-  s.occupied.begin(fields);
   s.findVisible(view, visibility);
+  facePlanes(s.objectPlanes, view, s.objectPlaneUses);
+
+  const std::size_t all = s.order.size() + s.others.size();
+  const auto roomFor = static_cast<std::size_t>(std::ceil(view.widthPx() * view.heightPx() / kCrowdedPx2));
+  const std::size_t mostCrowded = roomFor >= all ? 0 : std::min(all - roomFor, s.order.size());
+  std::size_t crowded = std::min(s.past.crowded, mostCrowded);
+  // Now and then it is tried whether one that was hidden has room again.
+  if (crowded > 0 && viewMoved && s.past.crowdedFrames >= kReturnFrames) --crowded;
+  if (mostCrowded > 0) s.beforePlacing = s.past;
+  bool tooFew = false;
+  while (s.placeAll(view, fields, values, crowded, viewMoved, held, layout) && crowded < mostCrowded) {
+    s.past = s.beforePlacing;
+    ++crowded;
+    tooFew = true;
+  }
+  s.past.crowded = crowded;
+  s.past.crowdedFrames = tooFew ? 0 : std::min(s.past.crowdedFrames + (viewMoved ? 1 : 0), kReturnFrames);
+
+  layout.view = view;
+  layout.visibleScopes.clear();
   for (std::size_t i = 0; i < s.scopes.size(); ++i) {
     if (s.past.seen[i] != 0) layout.visibleScopes.push_back(i);
   }
-  facePlanes(s.objectPlanes, view, s.objectPlaneUses);
-  const ObjectPlanesInFrame object{s.objectPlanes, s.objectPlaneUses, kSamePlaneDistance * s.modelSizeM};
-  for (std::size_t rank = 0; rank < s.order.size(); ++rank) {
-    Measured& measured = s.order[rank];
-    s.past.lookAhead.reach(rank);
+}
+
+/// Ages what is remembered. Returns whether the view has changed since the last frame.
+bool Placer::State::beginFrame(const View& view) {
+  const bool moved = view.viewProjection() != past.viewProjection;
+  past.viewProjection = view.viewProjection();
+  past.forward = view.forward();
+  if (moved) {
+    for (History& history : past.histories) history.age();
+  }
+  return moved;
+}
+
+/// Places everything but the `crowded` shortest lines. Returns whether a line runs into another.
+bool Placer::State::placeAll(const View& view, const DistanceFields& fields, const Values& values, std::size_t crowded, bool viewMoved,
+                             const PlacedLine* held, Layout& layout) {
+  recycle(layout.lines, spareLines);
+  recycle(layout.others, spareHandles);
+  layout.hidden.clear();
+  occupied.begin(fields);
+  bool cramped = false;
+  const ObjectPlanesInFrame object{objectPlanes, objectPlaneUses, kSamePlaneDistance * modelSizeM};
+  for (std::size_t rank = 0; rank < order.size(); ++rank) {
+    Measured& measured = order[rank];
+    past.lookAhead.reach(rank);
     if (held != nullptr && held->parameter == measured.parameter) {
-      s.landHeld(*held, layout);
-      continue;
+      landHeld(*held, layout);
+    } else if (rank < crowded) {
+      layout.hidden.push_back({measured.parameter, HiddenReason::kCrowded});
+      past.histories[measured.parameter].choseNone();
+    } else {
+      cramped |= placeLines(measured,
+                            {view, fields, occupied, past.lookAhead, object, scopes, usableScopes(measured.annotation), object.toleranceM, viewMoved},
+                            values.at(measured.parameter), layout);
     }
-    s.placeLines(measured,
-                 {view, fields, s.occupied, s.past.lookAhead, object, s.scopes, s.usableScopes(measured.annotation), object.toleranceM, viewMoved},
-                 values.at(measured.parameter), layout);
   }
   // Lines are bound to their planes; a switch finds a place nearly anywhere, so it takes what they leave.
-  for (const Measured& other : s.others) s.placeOther(other, view, values.at(other.parameter), layout);
+  const bool noPills = view.widthPx() * view.heightPx() < kPillsCrowdedPx2 * static_cast<double>(order.size() + others.size());
+  for (const Measured& other : others) {
+    if (noPills && other.annotation.type != HandleType::kAngular) {
+      layout.hidden.push_back({other.parameter, HiddenReason::kCrowded});
+      past.histories[other.parameter].choseNone();
+    } else {
+      placeOther(other, view, values.at(other.parameter), layout);
+    }
+  }
+  return cramped;
 }
 
 void Placer::State::findVisible(const View& view, const ScopeVisibility* visibility) {
@@ -191,7 +250,8 @@ BaseLineTally Placer::State::scopesOutOfSight(const Measured& measured) const {
   return tally;
 }
 
-void Placer::State::placeLines(Measured& measured, const ChoiceContext& context, double value, Layout& layout) {
+/// Returns whether the line runs into another.
+bool Placer::State::placeLines(Measured& measured, const ChoiceContext& context, double value, Layout& layout) {
   History& history = past.histories[measured.parameter];
   label(measured, parameters[measured.parameter], value);
   if (!chooser.choose(measured, context, history)) {
@@ -199,11 +259,13 @@ void Placer::State::placeLines(Measured& measured, const ChoiceContext& context,
     tally.add(chooser.tally());
     layout.hidden.push_back({measured.parameter, reasonFor(tally, !measured.scopes.empty())});
     history.choseNone();
-    return;
+    return false;
   }
   const Candidate& winner = chooser.winner();
-  history.choose(winner.identity, winner.placement == PlacementKind::kOutside ? winner.offsetM : -1);
+  history.choose(winner.identity, winner.placement == PlacementKind::kOutside ? winner.offsetM : -1,
+                 away(winner.baseScreen, winner.lineScreen));
   landChoice(measured, value, layout);
+  return chooser.cramped();
 }
 
 /// Writes the chosen lines into the layout.
@@ -231,6 +293,9 @@ void Placer::State::landChoice(const Measured& measured, double value, Layout& l
     if (!inside) {
       writeExtension(chosen.baseScreen.start, chosen.footScreen.start, chosen.lineScreen.start, line.extensionStart);
       writeExtension(chosen.baseScreen.end, chosen.footScreen.end, chosen.lineScreen.end, line.extensionEnd);
+      const Vec2 along = chosen.lineScreen.end - chosen.lineScreen.start;
+      moveAside(line.extensionStart, along, occupied.landed());
+      moveAside(line.extensionEnd, -along, occupied.landed());
       past.lookAhead.note(measured.parameter, chosen.base, chosen.foot, chosen.line);
     }
     // A parameter has at most one chain in a frame, so its number says which chain it is.
@@ -250,7 +315,7 @@ void Placer::State::landChoice(const Measured& measured, double value, Layout& l
 
 /// A line that is being dragged stays on its carrier, whatever this frame would have chosen for it.
 void Placer::State::landHeld(const PlacedLine& held, Layout& layout) {
-  past.histories[held.parameter].choose(held.identity, -1);
+  past.histories[held.parameter].choose(held.identity, -1, away(held.baseScreen, held.lineScreen));
   int guide = -1;
   if (held.placement != PlacementKind::kInside) {
     guide = occupied.guides().through(held.line, held.plane, kSamePlaneDistance * modelSizeM);
@@ -270,17 +335,17 @@ void Placer::State::placeOther(const Measured& measured, const View& view, doubl
   const OtherHandle handle{measured.parameter, parameters[measured.parameter], measured.annotation, scopesInSight, value, history};
   const OtherHandleContext context{view, occupied.padded(), occupied.landed(), scopes};
   PlacedHandle& placed = append(layout.others, spareHandles);
-  const bool arc = measured.annotation.type == HandleType::kAngular;
-  if (arc ? placeArc(handle, context, placed) : placePill(handle, context, placed)) {
+  const auto missing =
+      measured.annotation.type == HandleType::kAngular ? placeArc(handle, context, placed) : placePill(handle, context, placed);
+  if (!missing) {
     history.choose(placed.identity, -1);
     occupied.add(placed, view);
     return;
   }
   spareHandles.push_back(std::move(placed));
   layout.others.pop_back();
-  BaseLineTally tally = scopesOutOfSight(measured);
-  if (arc && !scopesInSight.empty()) ++tally.foreshortened;
-  layout.hidden.push_back({measured.parameter, reasonFor(tally, !measured.scopes.empty())});
+  const HiddenReason unseen = reasonFor(scopesOutOfSight(measured), !measured.scopes.empty());
+  layout.hidden.push_back({measured.parameter, scopesInSight.empty() ? unseen : *missing});
   history.choseNone();
 }
 

@@ -183,13 +183,13 @@ bool clears(const DistanceFields& fields, const Box2& box) {
   return false;
 }
 
-bool clears(const DistanceFields& fields, const Segment2& segment) {
+bool clears(const DistanceFields& fields, ViewportEdge edge, const Segment2& segment) {
   if (!inViewport(fields, segment.start) || !inViewport(fields, segment.end)) return false;
-  for (const ViewportEdge edge : kViewportEdges) {
-    if (SegmentTest(fields[edge], seenFrom(edge, fields, segment.start), seenFrom(edge, fields, segment.end)).clear())
-      return true;
-  }
-  return false;
+  return SegmentTest(fields[edge], seenFrom(edge, fields, segment.start), seenFrom(edge, fields, segment.end)).clear();
+}
+
+bool clears(const DistanceFields& fields, const Segment2& segment) {
+  return std::ranges::any_of(kViewportEdges, [&](ViewportEdge edge) { return clears(fields, edge, segment); });
 }
 
 }  // namespace dimline

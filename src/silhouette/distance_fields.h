@@ -111,7 +111,10 @@ void pullIn(DistanceFields& fields, const Box2& box, double radiusPx);
 /// that edge's field.
 bool clears(const DistanceFields& fields, const Box2& box);
 
-/// The same for a segment: between some edge and that edge's field all along.
+/// Whether a segment on screen lies in the viewport and between that edge and its field all along.
+bool clears(const DistanceFields& fields, ViewportEdge edge, const Segment2& segment);
+
+/// The same for some edge.
 bool clears(const DistanceFields& fields, const Segment2& segment);
 
 }  // namespace dimline

@@ -50,6 +50,34 @@ TEST_CASE("a line comes nearer by a step at most, and is never further out than 
   CHECK(history.relaxedOffsetM(2.0, 0.25) == Approx(2.35));
   CHECK(history.relaxedOffsetM(2.5, 0.25) == Approx(2.5));      // it must be further out than the step would bring it
   CHECK(history.relaxedOffsetM(1.0, 0.25) == Approx(kMostOffsetRatio));
+  CHECK(history.relaxedOffsetM(0.1, 0.25) == Approx(2.6 - kHurryFactor * 0.25));   // far beyond its share it hurries, without a leap
+  CHECK(history.relaxedOffsetM(1.0, 0.0) == Approx(2.6));       // before a still camera nothing moves
   history.forgetOffset();
   CHECK(history.relaxedOffsetM(1.0, 0.25) == Approx(1.0));      // the model has changed
+}
+
+TEST_CASE("a line that would leap has no reason to stay") {
+  History history(3);
+  const Segment2 then{{0, -30}, {0, -30}};
+  history.choose(side(0), 1.0, then);
+  CHECK(history.bonus(side(0), then) == kScoreStay);
+  CHECK(history.bonus(side(0), {{0, -30}, {0, -30 - kLeapPx + 1}}) == kScoreStay);
+  CHECK(history.bonus(side(0), {{0, -30}, {0, -30 - kLeapPx - 1}}) == 0.0);   // one end is enough
+  history.forgetOffset();
+  CHECK(history.bonus(side(0), {{0, -300}, {0, -300}}) == kScoreStay);        // the model has changed: what was moved is no leap
+}
+
+TEST_CASE("how long a choice is held, and whether there was one, is remembered") {
+  History history(3);
+  CHECK_FALSE(history.hidden());
+  history.choose(side(0), 1.0);
+  for (int i = 0; i < 3; ++i) history.age();
+  history.choose(side(0), 1.1);
+  CHECK(history.framesHeld() == 3);
+  history.choose(side(1), 1.0);
+  CHECK(history.framesHeld() == 0);
+  history.choseNone();
+  CHECK(history.hidden());
+  history.choose(side(1), 1.0);
+  CHECK_FALSE(history.hidden());
 }

@@ -1,0 +1,112 @@
+#include <catch2/catch.hpp>
+
+#include "placement/look_ahead.h"
+
+using namespace dimline;
+
+namespace {
+
+/// A parallel camera on the xy plane, 1 m a pixel: the world's (x, y) appears at (x, 1000 - y).
+View plan() {
+  Camera camera;
+  camera.eye = {500, 500, 100};
+  camera.target = {500, 500, 0};
+  camera.orthoHeightM = 1000;
+  Bounds bounds;
+  bounds.add(Vec3(0, 0, -1));
+  bounds.add(Vec3(1000, 1000, 1));
+  return View(camera, 1000, 1000, bounds);
+}
+
+Segment world(double x0, double y0, double x1, double y1) { return {{x0, 1000 - y0, 0}, {x1, 1000 - y1, 0}}; }
+Segment2 screen(double x0, double y0, double x1, double y1) { return {{x0, y0}, {x1, y1}}; }
+
+/// Parameters 0 and 1, placed in that order; the model covers x and y from 400 to 600.
+struct Stage {
+  std::vector<Measured> order = std::vector<Measured>(2);
+  DistanceFields model;
+  LookAhead lookAhead;
+
+  Stage() {
+    order[0].parameter = 0;
+    order[1].parameter = 1;
+    model.reset(1000, 1000);
+    for (const ViewportEdge edge : kViewportEdges) {
+      for (std::size_t i = 400; i < 600; ++i) model[edge].edit()[i] = 400;
+    }
+    model.buildTrees();
+  }
+  void begin(bool changed) { lookAhead.begin(order, plan(), model, changed); }
+};
+
+}  // namespace
+
+TEST_CASE("a line sees the places of those after it, not its own and not those before") {
+  Stage stage;
+  stage.begin(true);
+  stage.lookAhead.note(1, world(420, 400, 580, 400), world(420, 400, 580, 400), world(420, 350, 580, 350));   // 50 px above the model
+  stage.begin(true);
+  const Segment2 across = screen(500, 300, 500, 370);
+  stage.lookAhead.reach(0);
+  CHECK(stage.lookAhead.crossings(across, across, across).lines);
+  stage.lookAhead.reach(1);
+  CHECK_FALSE(stage.lookAhead.crossings(across, across, across).lines);
+}
+
+TEST_CASE("before a still camera the same lines are looked at again") {
+  Stage stage;
+  stage.begin(true);
+  stage.lookAhead.note(1, world(420, 400, 580, 400), world(420, 400, 580, 400), world(420, 350, 580, 350));
+  stage.begin(true);
+  stage.lookAhead.note(1, world(420, 400, 580, 400), world(420, 400, 580, 400), world(420, 200, 580, 200));   // it has moved
+  const Segment2 across = screen(500, 300, 500, 370);
+  for (int frame = 0; frame < 3; ++frame) {
+    stage.begin(false);
+    stage.lookAhead.reach(0);
+    CHECK(stage.lookAhead.crossings(across, across, across).lines);
+    stage.lookAhead.note(1, world(420, 400, 580, 400), world(420, 400, 580, 400), world(420, 200, 580, 200));
+  }
+  stage.begin(true);
+  stage.lookAhead.reach(0);
+  CHECK_FALSE(stage.lookAhead.crossings(across, across, across).lines);
+}
+
+TEST_CASE("crowding is nearer than handleSpacing") {
+  Stage stage;
+  stage.begin(true);
+  stage.lookAhead.note(1, world(420, 400, 580, 400), world(420, 400, 580, 400), world(420, 350, 580, 350));
+  stage.begin(true);
+  stage.lookAhead.reach(0);
+  CHECK(stage.lookAhead.crowds(screen(450, 323, 550, 323)));
+  CHECK_FALSE(stage.lookAhead.crowds(screen(450, 319, 550, 319)));
+}
+
+TEST_CASE("a line shadows another when it stands between that one and each edge it was seen from") {
+  Stage stage;
+  stage.begin(true);
+  // Above the model: seen from the top, and along its rows from left and right, where nothing is.
+  stage.lookAhead.note(1, world(420, 400, 580, 400), world(420, 400, 580, 400), world(420, 350, 580, 350));
+  stage.begin(true);
+  stage.lookAhead.reach(0);
+  const Segment2 above = screen(450, 250, 550, 250);
+  CHECK_FALSE(stage.lookAhead.shadows(above, above));   // left and right are still free
+
+  // Within the model's rows and columns, in front of its left side: only the left edge sees it.
+  Stage other;
+  other.begin(true);
+  other.lookAhead.note(1, world(400, 450, 400, 550), world(400, 450, 400, 550), world(350, 450, 350, 550));
+  other.begin(true);
+  other.lookAhead.reach(0);
+  const Segment2 left = screen(250, 420, 250, 580);
+  CHECK_FALSE(other.lookAhead.shadows(left, left));      // from above and below its columns are free
+  // With the model's columns drawn on to the left, above and below are closed.
+  for (const ViewportEdge edge : {ViewportEdge::kTop, ViewportEdge::kBottom}) {
+    for (std::size_t i = 300; i < 400; ++i) other.model[edge].edit()[i] = 400;
+  }
+  other.model.buildTrees();
+  other.begin(false);
+  other.lookAhead.reach(0);
+  CHECK(other.lookAhead.shadows(left, left));
+  const Segment2 behind = screen(390, 420, 390, 580);
+  CHECK_FALSE(other.lookAhead.shadows(behind, behind));  // 40 px nearer to the model it takes nothing away
+}
