@@ -288,8 +288,8 @@ Growth Grower::spruce() {
   constexpr int kWhorls = 15;
   growth_.leader = {{0, 0.2 * height_, 0}, {0, 0.5 * height_, 0}, {0, 0.8 * height_, 0}, {0, 0.985 * height_, 0}};
   growth_.leaderEnd = 0.06;
-  // Boughs of a tree that is wider than high cannot hang as far.
-  const double hang = std::min(1.0, 0.55 * height_ / radius_);
+  // Boughs of a tree that is wider than high cannot hang as far; those of a slender one hang further, and fill the gaps between the whorls.
+  const double slender = height_ / radius_, hang = std::max(std::min(1.0, 0.55 * slender), 0.28 * slender);
   double widest = 0;
   for (int w = 0; w < kWhorls; ++w) {
     const double share = static_cast<double>(w) / (kWhorls - 1);
