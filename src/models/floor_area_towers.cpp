@@ -58,7 +58,7 @@ struct Look {
 };
 
 struct Palette {
-  MaterialId slab, fin, glass, crown, paving, dark;
+  MaterialId slab, fin, glass, crown, paving, dark, leaves;
 };
 
 /// Scope: a storey's box. A slab all around, glass behind it, fins from slab to slab.
@@ -93,22 +93,56 @@ void drawCrown(Builder& b, const Palette& m) {
   b.box({0.24 * w, 2.6, 0.24 * w}, {0.52 * w, 0.25, 0.52 * w});
 }
 
-/// Steps, paving, and a canopy over the door in front. Scope: the ground floor's square.
+/// A tree in a round tub. Scope: its middle is the origin.
+PartId makeTree(Builder& b, const Palette& m) {
+  return b.part(Vec3(0.0), [&] {
+    b.material(m.slab);
+    b.push([&] {
+      b.translate({-0.75, 0, -0.75});
+      b.scale({1.5, 0.55, 1.5});
+      b.cylinder({.segments = 16});
+    });
+    b.material(m.dark);
+    b.box({-0.07, 0.5, -0.07}, {0.14, 1.7, 0.14});
+    b.material(m.leaves);
+    b.translate({-1.1, 1.9, -1.1});
+    b.scale({2.2, 2.5, 2.2});
+    b.sphere({.segments = 12});
+  });
+}
+
+/// Steps, paving, trees, and a canopy over the doors in front. Scope: the ground floor's square.
 void drawForecourt(Builder& b, const Palette& m) {
-  const double w = b.size().x;
+  const double w = b.size().x, middle = 0.5 * w;
   b.material(m.paving);
   b.box({-5, -0.3, -5}, {w + 10, 0.15, w + 10});
   b.box({-4, -0.15, -4}, {w + 8, 0.15, w + 8});
   b.material(m.crown);
-  b.box({0.5 * w - 4, 2.9, w - 0.3}, {8, 0.28, 3.2});
-  for (const double x : {0.5 * w - 3.7, 0.5 * w + 3.45}) b.box({x, 0, w + 2.4}, {0.25, 2.9, 0.25});
+  b.box({middle - 4, 2.75, w - 0.3}, {8, 0.28, 3.2});
+  for (const double x : {middle - 3.7, middle + 3.45}) b.box({x, 0, w + 2.4}, {0.25, 2.75, 0.25});
+  // Doors: a frame with four leaves of glass.
+  b.material(m.dark);
+  for (int i = 0; i <= 4; ++i) b.box({middle - 2.5 + 1.22 * i, 0, w - 0.3}, {0.12, 2.75, 0.5});
+  b.box({middle - 2.5, 2.2, w - 0.3}, {5, 0.12, 0.46});
+  b.material(m.glass);
+  b.box({middle - 2.45, 0, w - 0.3}, {4.9, 2.7, 0.4});
+  const PartId tree = makeTree(b, m);
+  for (const double side : {-1.0, 1.0}) {
+    for (const double out : {6.0, 9.5}) {
+      if (out > middle - 0.5) continue;   // a slender tower has a short front
+      b.push([&] {
+        b.translate({middle + side * out, 0, w + 2.2});
+        b.place(tree);
+      });
+    }
+  }
 }
 
 Scene build(const Form& form, const Look& look, double areaM2) {
   Builder b;
   using enum Material::Pattern;
   const Palette m{paint(b, look.slab, 0.7F), paint(b, look.fin, 0.5F), paint(b, look.glass, 0.06F, kGlass), paint(b, look.crown, 0.6F),
-                  paint(b, 0xB9B3A9, 0.9F, kStone), paint(b, 0x6E7478, 0.6F, kMetal)};
+                  paint(b, 0xB9B3A9, 0.9F, kStone), paint(b, 0x6E7478, 0.6F, kMetal), paint(b, 0x6F8F5C, 0.9F, kLeaves)};
   const std::vector<Floor> floors = floorsFor(form, areaM2);
   const double base = floors.front().width, height = floors.back().y + floors.back().height;
   constexpr double kGround = 0.3;
