@@ -16,6 +16,8 @@ constexpr PaperModel kPaperModels[] = {
     {"helix-house", 13, 1495, 210, 80, 22},
     {"lever", 7, 1178, 45, 36, 10},
     {"omni-tree", 18, 29767, 75, 0, 0},
+    {"parthenon", 10, 132263, 266, 240, 32},
+    {"candler", 6, 45366, 2260, 2260, 47},
 };
 
 TEST_CASE("a model of the paper's is about as large as there") {
