@@ -238,7 +238,7 @@ std::vector<Parameter> treeParameters(const TreeDefaults& d) {
        handle("Foliage", "type=range, orient=right")});
   p[kStemHeight] = lengthParameter("StemHeight" + d.suffix, title("Stem height"), {d.stemHeight, 1.5, 6, 0.1},
       {group("Stem"), "How high the stem is clear of branches, from the ground to the crown.",
-       handle("Stem", "type=linear-contour, orient=up, slip=billboard, align=left")});
+       handle("Stem", "type=linear-contour, orient=up, slip=billboard, align=right")});
   p[kTrunkDiameter] = lengthParameter("TrunkDiameter" + d.suffix, title("Trunk diameter"), {d.trunkDiameter, 0.2, 0.9, 0.05},
       {group("Stem"), "How thick the stem is above its roots.",
        handle("Trunk", "type=diametric, orient=up, slip=billboard")});
