@@ -13,9 +13,6 @@ namespace {
 /// A guide's offset may miss the least clearing one, and a line at the greatest offset the viewport's margin, by rounding alone.
 constexpr double kRoundingShare = 1e-9;
 
-/// px. What the second of two offsets of one candidate is set back by, so that it is looked at last whatever is gained by being nearer to the model.
-constexpr double kSecondChoice = 100.0;
-
 bool insideViewport(const Segment2& s, const View& view) {
   const Box2 box = view.viewport().grown(-kViewportMarginPx);
   for (const Vec2& p : {s.start, s.end}) {
@@ -104,7 +101,7 @@ void keep(const CandidateContext& context, Candidate& candidate, std::vector<Can
                            .intersects = false,
                            .planeKind = candidate.plane.kind,
                            .facing = candidate.plane.facing}) +
-                    context.history.bonus(candidate.identity, away(candidate.baseScreen, candidate.lineScreen)) - candidate.handicap;
+                    context.history.bonus(candidate.identity, away(candidate.baseScreen, candidate.lineScreen));
   candidates.push_back(candidate);
 }
 
@@ -194,11 +191,12 @@ void gatherOutsideCandidates(const CandidateContext& context, const UsableBaseLi
     candidate.placement = PlacementKind::kOutside;
     if (candidate.identity == context.history.last()) {
       const double stepM = context.viewMoved ? kRelaxPx * context.view.metresPerPixelAt(candidate.foot.middle()) : 0.0;
-      // Both where it would rather be and where it must be at least: its label may have room at one of them only.
       const double relaxedM = std::min(context.history.relaxedOffsetM(offsetM, stepM), mostM);
       if (relaxedM > offsetM && placeAt(candidate, *slide, relaxedM, context.view)) {
+        candidate.hasSecondOffset = true;
         keep(context, candidate, candidates);
-        candidate.handicap = kSecondChoice;
+        candidate.hasSecondOffset = false;
+        candidate.secondOffset = true;
       }
     }
     if (placeAt(candidate, *slide, offsetM, context.view)) keep(context, candidate, candidates);

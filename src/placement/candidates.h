@@ -36,7 +36,9 @@ struct Candidate {
   double mostM = 0;         ///< how far the plane has room
   int guide = -1;           ///< number of the guide it lies on
   double score = 0;         ///< without the Intersect term
-  double handicap = 0;      ///< what its score is lessened by
+  /// Only the last frame's choice has two: where it would rather lie, and the least, in case its label has no room at the first.
+  bool hasSecondOffset = false;
+  bool secondOffset = false;
 };
 
 /// What became of a parameter's base lines, for the reason why it is hidden when none is left.

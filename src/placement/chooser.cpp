@@ -26,8 +26,11 @@ ChosenLine chosen(const Candidate& c, std::optional<Box2> label = std::nullopt) 
 
 bool Chooser::choose(const Measured& measured, const ChoiceContext& context, const History& history) {
   cramped_ = false;
-  if (history.hidden() && !gatherBases(measured, context, kShowAgainFactor)) return false;
-  if (!gatherBases(measured, context, 1.0)) return false;
+  // A chain moves as a whole, so of its members' base lines it is enough to know that there is one, unless they have to stand for themselves.
+  const bool chained = !measured.clusters.empty();
+  const auto enough = chained ? Enough::kOne : Enough::kAll;
+  if (history.hidden() && !gatherBases(measured, context, kShowAgainFactor, Enough::kOne)) return false;
+  if (!gatherBases(measured, context, 1.0, enough)) return false;
   const CandidateContext candidates{measured.annotation, context.view, context.occupied.padded(), context.occupied.paddedModel(), context.occupied.guides(),
                                     context.objectPlanes, context.viewMoved, history, context.toleranceM, slipPlanes_};
   chainBases_.clear();
@@ -36,19 +39,24 @@ bool Chooser::choose(const Measured& measured, const ChoiceContext& context, con
   }
   // A chain that has no room as a whole, or passes behind the viewer, may leave room for one of its base lines; that stays for a while before the chain is
   // looked at again.
-  const bool singleStays = history.last().chain < 0 && history.last().plane >= 0 && history.framesHeld() < kReturnFrames;
-  if (singleStays && chooseOutside(bases_, measured, candidates, context)) return true;
-  if (!chainBases_.empty() && chooseOutside(chainBases_, measured, candidates, context)) return true;
-  if (!singleStays && chooseOutside(bases_, measured, candidates, context)) return true;
+  const bool singleStays = chained && history.last().chain < 0 && history.last().plane >= 0 && history.framesHeld() < kReturnFrames;
+  const auto chooseSingle = [&] {
+    if (chained) gatherBases(measured, context, 1.0, Enough::kAll);
+    return chooseOutside(bases_, measured, candidates, context);
+  };
+  if (singleStays && chooseSingle()) return true;
+  if (chained && chooseOutside(chainBases_, measured, candidates, context)) return true;
+  if (!singleStays && chooseSingle()) return true;
   chooseInside(measured, candidates, context);
   return true;
 }
 
 /// The base lines that can be used, by thresholds that are `factor` times those of constants.h. False when there is none.
-bool Chooser::gatherBases(const Measured& measured, const ChoiceContext& context, double factor) {
+bool Chooser::gatherBases(const Measured& measured, const ChoiceContext& context, double factor, Enough enough) {
   bases_.clear();
   tally_ = {};
   for (const std::size_t scope : measured.scopes) {
+    if (enough == Enough::kOne && !bases_.empty()) break;
     if (context.usable[scope] != 0) gatherBaseLines(measured.annotation, context.scopes[scope], scope, context.view, factor, bases_, tally_);
   }
   return !bases_.empty();
@@ -62,6 +70,7 @@ bool Chooser::chooseOutside(std::span<const UsableBaseLine> bases, const Measure
     for (const UsableBaseLine& base : bases) gather(candidates, base, candidates_);
     // Equal scores are ordered by identity, so that the same frame always gives the same layout.
     std::ranges::sort(candidates_, [](const Candidate& a, const Candidate& b) {
+      if (a.secondOffset != b.secondOffset) return b.secondOffset;
       return a.score != b.score ? a.score > b.score : orderOf(a.identity) < orderOf(b.identity);
     });
     if (chooseBest(measured, context)) return true;
@@ -73,16 +82,25 @@ bool Chooser::chooseOutside(std::span<const UsableBaseLine> bases, const Measure
 /// score, and the candidates come in descending order.
 bool Chooser::chooseBest(const Measured& measured, const ChoiceContext& context) {
   bool found = false;
+  bool firstOffsetFailed = false;
   double bestScore = 0;
   for (Candidate& candidate : candidates_) {
-    if (found && bestScore >= candidate.score) break;
-    const Landed::Crossings landed = context.occupied.landed().crossings(candidate.baseScreen, candidate.footScreen, candidate.lineScreen);
-    const Landed::Crossings ahead = context.lookAhead.crossings(candidate.baseScreen, candidate.footScreen, candidate.lineScreen);
-    const double score = candidate.score + lessened(landed) + (landed.labels ? kScoreCoversLabel : 0.0) + lessened(ahead) +
-                         (context.lookAhead.crowds(candidate.lineScreen) ? kScoreCrowdsAhead : 0.0) +
-                         (context.lookAhead.shadows(candidate.footScreen, candidate.lineScreen) ? kScoreShadowsAhead : 0.0);
+    // The second offset comes last, whatever its score.
+    if (candidate.secondOffset ? !firstOffsetFailed : found && bestScore >= candidate.score) continue;
+    const Segment2& base = candidate.baseScreen;
+    const Segment2& foot = candidate.footScreen;
+    const Segment2& line = candidate.lineScreen;
+    const Landed::Crossings landed = context.occupied.landed().crossings(base, foot, line);
+    double score = candidate.score + lessened(landed) + (landed.labels ? kScoreCoversLabel : 0.0);
     if (found && bestScore >= score) continue;
-    if (!settle(candidate, measured, context)) continue;
+    score += lessened(context.lookAhead.crossings(base, foot, line));
+    if (context.lookAhead.crowds(line)) score += kScoreCrowdsAhead;
+    if (context.lookAhead.shadows(foot, line)) score += kScoreShadowsAhead;
+    if (found && bestScore >= score) continue;
+    if (!settle(candidate, measured, context)) {
+      firstOffsetFailed = firstOffsetFailed || candidate.hasSecondOffset;
+      continue;
+    }
     found = true;
     bestScore = score;
     winner_ = candidate;

@@ -49,7 +49,8 @@ class Chooser {
   [[nodiscard]] const BaseLineTally& tally() const { return tally_; }
 
  private:
-  bool gatherBases(const Measured& measured, const ChoiceContext& context, double factor);
+  enum class Enough { kOne, kAll };
+  bool gatherBases(const Measured& measured, const ChoiceContext& context, double factor, Enough enough);
   bool chooseOutside(std::span<const UsableBaseLine> bases, const Measured& measured, const CandidateContext& candidates, const ChoiceContext& context);
   bool chooseBest(const Measured& measured, const ChoiceContext& context);
   void chooseInside(const Measured& measured, const CandidateContext& candidates, const ChoiceContext& context);
