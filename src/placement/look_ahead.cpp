@@ -33,6 +33,7 @@ bool standsBefore(const Segment2& s, double growPx, ViewportEdge edge, const Seg
 
 void LookAhead::begin(std::span<const Measured> order, const View& view, const DistanceFields& model, bool changed) {
   if (changed) std::swap(past_, present_);
+  present_.reserve(past_.capacity());   // they change places: what one has room for the other needs as well
   present_.clear();
   ahead_.clear();
   free_.clear();
