@@ -37,6 +37,7 @@ void HandleAnimator::update(const Layout& placed, std::span<const Scope> scopes,
   atRest_ = true;
 
   next_.assign(placed.others.size(), {});
+  spares_.reserve(spares_.size() + fading_.size() + drawn.others.size());   // all may be put aside at once
   taken_.assign(tracked_.size(), 0);
   for (std::size_t i = 0; i < placed.others.size(); ++i) {
     if (const Tracked* known = before(placed.others[i], taken_)) {

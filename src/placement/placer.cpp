@@ -26,6 +26,7 @@ HiddenReason reasonFor(const BaseLineTally& tally, bool anyScope) {
 /// From the base line's end to the final line's, bent at the plane where the base line does not lie in it (paper 5, "Extension Lines").
 void writeExtension(const Vec2& base, const Vec2& foot, const Vec2& end, std::vector<Vec2>& polyline) {
   polyline.clear();
+  polyline.reserve(3);   // of a line that is not bent as well: the next to use this memory may be
   polyline.push_back(base);
   if (foot != base) polyline.push_back(foot);
   polyline.push_back(end);
@@ -47,6 +48,13 @@ Thing& append(std::vector<Thing>& to, std::vector<Thing>& spare) {
   to.push_back(std::move(spare.back()));
   spare.pop_back();
   return to.back();
+}
+
+/// The same for a parameter's handle: its own of an earlier frame if there is one, which has room for its choices.
+PlacedHandle& append(std::vector<PlacedHandle>& to, std::vector<PlacedHandle>& spare, std::size_t parameter) {
+  const auto own = std::ranges::find(spare, parameter, &PlacedHandle::parameter);
+  if (own != spare.end()) std::swap(*own, spare.back());
+  return append(to, spare);
 }
 
 /// Empties the list, keeping what was in it as spare.
@@ -198,7 +206,9 @@ bool Placer::State::beginFrame(const View& view) {
 bool Placer::State::placeAll(const View& view, const DistanceFields& fields, const Values& values, std::size_t crowded, bool viewMoved,
                              const PlacedLine* held, Layout& layout) {
   recycle(layout.lines, spareLines);
+  spareHandles.reserve(others.size());
   recycle(layout.others, spareHandles);
+  layout.others.reserve(others.size());   // however many of them found no place until now
   layout.hidden.clear();
   occupied.begin(fields);
   bool cramped = false;
@@ -334,7 +344,8 @@ void Placer::State::placeOther(const Measured& measured, const View& view, doubl
   History& history = past.histories[measured.parameter];
   const OtherHandle handle{measured.parameter, parameters[measured.parameter], measured.annotation, scopesInSight, value, history};
   const OtherHandleContext context{view, occupied.padded(), occupied.landed(), scopes};
-  PlacedHandle& placed = append(layout.others, spareHandles);
+  PlacedHandle& placed = append(layout.others, spareHandles, measured.parameter);
+  placed.parameter = measured.parameter;
   const auto missing =
       measured.annotation.type == HandleType::kAngular ? placeArc(handle, context, placed) : placePill(handle, context, placed);
   if (!missing) {
