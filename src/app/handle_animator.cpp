@@ -37,7 +37,9 @@ void HandleAnimator::update(const Layout& placed, std::span<const Scope> scopes,
   atRest_ = true;
 
   next_.assign(placed.others.size(), {});
-  spares_.reserve(spares_.size() + fading_.size() + drawn.others.size());   // all may be put aside at once
+  // Of a handle there may be the one that is drawn and a few that fade, and all may be put aside at once.
+  spares_.reserve(std::max(spares_.size() + fading_.size() + drawn.others.size(), 4 * placed.others.size()));
+  fading_.reserve(4 * placed.others.size());
   taken_.assign(tracked_.size(), 0);
   for (std::size_t i = 0; i < placed.others.size(); ++i) {
     if (const Tracked* known = before(placed.others[i], taken_)) {
