@@ -106,3 +106,30 @@ TEST_CASE("an extension line that bends is looked at on both its parts") {
   CHECK(landed.crossings(base, {{150, 150}, {150, 160}}, {{150, 50}, {150, 60}}).lines);
   CHECK_FALSE(landed.crossings(base, {{50, 50}, {50, 60}}, {{150, 50}, {150, 60}}).lines);
 }
+
+TEST_CASE("what lies on a line that has landed, and what runs into one") {
+  Landed landed;
+  landed.add({{100, 300}, {300, 300}}, {{100, 300}, {300, 300}}, {{100, 200}, {300, 200}});
+  CHECK(landed.liesOnLine({{250, 200}, {400, 200}}));
+  CHECK(landed.liesOnLine({{400, 201}, {250, 201}}));             // a pixel aside, and the other way round
+  CHECK_FALSE(landed.liesOnLine({{250, 202}, {400, 202}}));
+  CHECK_FALSE(landed.liesOnLine({{298, 200}, {400, 200}}));       // they all but touch
+  CHECK_FALSE(landed.liesOnLine({{250, 150}, {250, 250}}));       // across
+  CHECK(landed.runsInto({{250, 150}, {250, 250}}));
+  CHECK(landed.runsInto({{250, 200}, {400, 200}}));
+  CHECK_FALSE(landed.runsInto({{250, 199.8}, {250, 250}}));       // reaches past it by less than is seen
+  CHECK_FALSE(landed.runsInto({{250, 250}, {250, 290}}));
+  CHECK(landed.comesWithin(10, {{320, 200}, {309, 200}}));
+  CHECK_FALSE(landed.comesWithin(10, {{320, 200}, {311, 200}}));
+}
+
+TEST_CASE("what was added since a mark is taken back") {
+  Landed landed;
+  landed.add({{100, 300}, {300, 300}}, {{100, 300}, {300, 300}}, {{100, 200}, {300, 200}});
+  const Landed::Mark mark = landed.mark();
+  landed.add({{100, 300}, {300, 300}}, {{100, 300}, {300, 300}}, {{100, 100}, {300, 100}});
+  CHECK(landed.runsInto({{200, 50}, {200, 150}}));
+  landed.backTo(mark);
+  CHECK_FALSE(landed.runsInto({{200, 50}, {200, 150}}));
+  CHECK(landed.runsInto({{200, 150}, {200, 250}}));
+}

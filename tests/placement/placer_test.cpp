@@ -244,6 +244,44 @@ TEST_CASE("a camera inside the model gives a layout without a NaN") {
   }
 }
 
+TEST_CASE("a view that turns far in one frame begins anew") {
+  Stage stage(boxWithDoor());
+  for (double azimuth = 0; azimuth <= 80; azimuth += 1) stage.look(orbitCamera({0, 2.5, 0}, 30, azimuth, 20));
+  Stage fresh(boxWithDoor());
+  const Camera behind = orbitCamera({0, 2.5, 0}, 30, 215, 35);
+  stage.look(behind);
+  fresh.look(behind);
+  REQUIRE(stage.layout.lines.size() == fresh.layout.lines.size());
+  for (std::size_t i = 0; i < fresh.layout.lines.size(); ++i) {
+    CHECK(stage.layout.lines[i].identity == fresh.layout.lines[i].identity);
+    CHECK(stage.layout.lines[i].lineScreen.end == fresh.layout.lines[i].lineScreen.end);
+  }
+}
+
+TEST_CASE("in a viewport that is too small the shortest lines are hidden until none runs into another, and never in one that is not") {
+  Stage stage(boxWithDoor());
+  std::size_t crowded = 0;
+  for (double azimuth = 0; azimuth < 360; azimuth += 2) {
+    for (const auto& [width, height] : {std::pair(240.0, 160.0), std::pair(1000.0, 1000.0)}) {
+      const Layout& layout = stage.look(orbitCamera({0, 1.5, 0}, 9, azimuth, 12), width, height);   // so near that lines stay inside
+      double longestHiddenM = 0;
+      for (const HiddenParameter& hidden : layout.hidden) {
+        if (hidden.reason != HiddenReason::kCrowded) continue;
+        CHECK(width < 1000);
+        ++crowded;
+        longestHiddenM = std::max(longestHiddenM, stage.values.at(hidden.parameter));
+      }
+      for (const PlacedLine& line : layout.lines) CHECK(line.lengthM >= longestHiddenM);
+      if (width < 1000 && layout.lines.size() > 2) {
+        for (std::size_t a = 0; a < layout.lines.size(); ++a) {
+          for (std::size_t b = 0; b < a; ++b) CHECK_FALSE(segmentsCross(layout.lines[a].lineScreen, layout.lines[b].lineScreen, kCrossingPx));
+        }
+      }
+    }
+  }
+  CHECK(crowded > 0);
+}
+
 TEST_CASE("a warmed-up frame allocates nothing") {
   Stage stage(boxWithDoor());
   const std::vector<Camera> all = cameras(stage.scene.bounds.center(), 30);
