@@ -29,6 +29,9 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   target_compile_options(dimline_flags INTERFACE -Wno-restrict -Wno-maybe-uninitialized -Wduplicated-cond -Wlogical-op)
 endif()
 
+# Line tables only, here as well: a profile and a stack name file and line, and a file compiles a quarter sooner.
+set(CMAKE_CXX_FLAGS_RELWITHDEBINFO "-O2 -g1 -DNDEBUG")
+
 if(DIMLINE_SANITIZE)
   # -O1 and line tables only: the tests run in seconds, and a report still names file and line.
   set(CMAKE_CXX_FLAGS_DEBUG "-O1 -g1")

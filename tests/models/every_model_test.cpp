@@ -14,6 +14,13 @@
 namespace dimline {
 namespace {
 
+#ifdef __SANITIZE_ADDRESS__
+/// The sanitizers look for what one setting shows as well as many, at several times the cost.
+constexpr std::size_t kSettingsShare = 6;
+#else
+constexpr std::size_t kSettingsShare = 1;
+#endif
+
 /// How many random settings a model is tried in. The more it holds, the fewer, so that the slowest take a few seconds too;
 /// DIMLINE_SETTINGS=2000 in the environment asks for that many of each.
 std::size_t randomSettings(const Model& model) {
@@ -21,7 +28,7 @@ std::size_t randomSettings(const Model& model) {
   const Scene scene = model.definition.build(Values(model.parameters()));
   std::size_t triangles = 0;
   for (const Mesh& mesh : scene.meshes) triangles += mesh.triangles.size();
-  return std::clamp<std::size_t>(1'500'000 / std::max<std::size_t>(triangles, 1), 30, 500);
+  return std::clamp<std::size_t>(1'500'000 / std::max<std::size_t>(triangles, 1), 30, 500) / kSettingsShare;
 }
 
 /// Runs body(model) for every built-in model, with its name in failures.
