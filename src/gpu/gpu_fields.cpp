@@ -17,9 +17,6 @@ constexpr int kTexelsPerStep = 8;
 
 int stepped(int size) { return (size + kTexelsPerStep - 1) / kTexelsPerStep; }
 
-/// Integer pixels read back in the one format that every driver must offer: four 32-bit numbers.
-constexpr std::size_t kIntegerPixelBytes = 16;
-
 }  // namespace
 
 Result<GpuFields> GpuFields::make(const GlContext& context) {

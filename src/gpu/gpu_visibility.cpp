@@ -20,8 +20,6 @@ constexpr int kMostRows = 1024;
 /// Texels of the boxes' texture in a row, and those of one box.
 constexpr int kBoxesWidth = 1024;
 constexpr int kTexelsPerBox = 4;
-/// Integer pixels read back in the one format that every driver must offer: four 32-bit numbers.
-constexpr std::size_t kIntegerPixelBytes = 16;
 
 }  // namespace
 

@@ -8,6 +8,9 @@
 
 namespace dimline {
 
+/// Bytes of an integer pixel that is read back, in the one format that every driver must offer: four 32-bit numbers.
+inline constexpr std::size_t kIntegerPixelBytes = 16;
+
 /// Pixels on their way from the GPU to the CPU, through a pixel-pack buffer with a fence behind it: nothing waits until somebody asks to.
 /// One round: begin, read as often as wanted, end; then, when ready, copy.
 class PixelReadback {

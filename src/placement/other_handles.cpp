@@ -129,7 +129,7 @@ void placeOptions(const OtherHandle& handle, const OtherHandleContext& context, 
     const Vec2 offset{0, up ? -step : step};
     placed.options[i].value = static_cast<double>(i);
     placed.options[i].text = choices[i];
-    placed.options[i].box = {placed.box.min + offset, placed.box.max + offset};
+    placed.options[i].box = shifted(placed.box, offset);
   }
 }
 
