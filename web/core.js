@@ -104,6 +104,44 @@ export class Core {
     this.#editor.endContinuous();
   }
 
+  /** The default value again, as one undo step. */
+  resetParameter(name) {
+    check(this.#editor.resetParameter(String(name)));
+  }
+
+  /**
+   * The value that a visitor's text means, in the parameter's own unit; neither clamped to its range nor snapped to its step. Arithmetic,
+   * units and decimal commas are read: src/editing/value_text.h is the manual. Throws an Error with a sentence for the visitor.
+   */
+  parseValue(name, text) {
+    const { value, error } = JSON.parse(this.#editor.parseValueJson(String(name), String(text)));
+    check(error);
+    return value;
+  }
+
+  /** The text with which an edit field starts: the present value to its last digit, with its unit. Empty for no such parameter. */
+  inputText(name) {
+    return this.#editor.inputText(String(name));
+  }
+
+  /** How numbers are written in labels and texts: decimal is "." or ",". */
+  setNumberFormat({ decimal }) {
+    check(this.#editor.setDecimalMark(String(decimal)));
+  }
+
+  /** Values that follow from others and are only read: [{name, title, help, unit, value, text}]. */
+  measures() {
+    return JSON.parse(this.#editor.measuresJson());
+  }
+
+  /** Whether the measures' lines are shown too. At the start they are not. */
+  get measuresShown() {
+    return this.#editor.measuresShown();
+  }
+  set measuresShown(on) {
+    this.#editor.setMeasuresShown(Boolean(on));
+  }
+
   undo() {
     this.#editor.undo();
   }
@@ -161,6 +199,20 @@ export class Core {
   pointerUp(id, kind, button, x, y, modifiers) {
     this.#editor.pointerUp(id, kind, button, x, y, modifiers);
   }
+  /**
+   * Null, or what is being dragged: {parameter, kind: "line" | "arc", value, text, difference, limit: null | "min" | "max", handle: [x, y],
+   * direction: [dx, dy], pointer: "mouse" | "touch" | "pen", snap: "step" | "fine" | "none"}. Shift makes steps fine, alt takes them away; when
+   * a key changes while the pointer rests, call pointerMove with the pointer where it is.
+   */
+  gesture() {
+    return JSON.parse(this.#editor.gestureJson());
+  }
+
+  /** The name of the parameter whose handle or label is there, or null. */
+  handleAt(x, y, kind = "mouse") {
+    return this.#editor.handleAt(x, y, kind) || null;
+  }
+
   hover(id, kind, button, x, y, modifiers) {
     return this.#editor.hover(id, kind, button, x, y, modifiers);
   }
@@ -225,6 +277,14 @@ export class Core {
   }
   set linesShown(on) {
     this.#editor.setLinesShown(Boolean(on));
+  }
+
+  /** While true, parameters that are hidden as occluded, too short, foreshortened or crowded are shown as well. */
+  get hiddenShown() {
+    return this.#editor.hiddenShown();
+  }
+  set hiddenShown(on) {
+    this.#editor.setHiddenShown(Boolean(on));
   }
 
   layout() {

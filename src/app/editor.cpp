@@ -51,7 +51,8 @@ Status Editor::setModel(Model model) {
   s.dropGestures();
   s.continuing.reset();
   s.history.clear();
-  s.model = std::move(model);
+  s.beforeHidden = {};
+  s.takeModel(std::move(model));
   s.values = Values(s.model.parameters());
   s.loaded = true;
   s.placer.forget();
@@ -69,6 +70,14 @@ Status Editor::setModel(Model model) {
 const Model& Editor::model() const { return state_->model; }
 const Values& Editor::values() const { return state_->values; }
 const Scene& Editor::scene() const { return state_->scene; }
+
+/// Makes a model the document's, its numbers written as the visitor writes them.
+void Editor::State::takeModel(Model next) {
+  model = std::move(next);
+  for (Parameter& parameter : model.definition.parameters) parameter.decimalMark = decimalMark;
+  for (Measure& measure : model.definition.measures) measure.shown.decimalMark = decimalMark;
+  modelWithMeasures = withMeasures(model);
+}
 
 void Editor::setValues(std::span<const std::pair<std::size_t, double>> changes) {
   State& s = *state_;

@@ -39,6 +39,9 @@ struct PointerInput {
 /// What a pointer is doing, for the host's cursor.
 enum class PointerTarget : std::uint8_t { kNothing, kHandle, kCamera };
 
+/// How a drag's values are chosen: on the parameter's steps; with shift on tenths of them; with alt anywhere.
+enum class DragSnap : std::uint8_t { kStep, kFine, kNone };
+
 enum class StandardView : std::uint8_t { kThreeQuarter, kFront, kBack, kLeft, kRight, kTop };
 
 /// One document, one camera, one frame loop (DESIGN.md section 1). The host (a page, a test, a script) feeds input and time; the editor decides
@@ -67,6 +70,29 @@ class Editor {
   [[nodiscard]] bool canUndo() const;
   [[nodiscard]] bool canRedo() const;
 
+  // --- Values as people write them ---
+  /// '.' or ',': in labels, value texts and inputText() from now on, over all documents.
+  void setDecimalMark(char mark);
+  /// See readValueText() and inputText() in editing/value_text.h.
+  [[nodiscard]] Result<double> parseValue(std::size_t parameter, std::string_view text) const;
+  [[nodiscard]] std::string inputText(std::size_t parameter) const;
+  /// The default value again, as one undo step.
+  void resetParameter(std::size_t parameter);
+
+  // --- Measures: values that follow from others ---
+  struct MeasureReading {
+    const Parameter* shown = nullptr;   ///< until the next setModel() or setDecimalMark()
+    double value = 0;
+    std::string text;
+  };
+  /// Of the scene of the last frame.
+  [[nodiscard]] std::vector<MeasureReading> measures() const;
+  /// Whether their lines are placed, after all others. At the start they are not.
+  void setMeasuresShown(bool shown);
+  [[nodiscard]] bool measuresShown() const;
+  /// The parameters to which layout()'s indices refer: the model's, and behind them its measures while they are shown.
+  [[nodiscard]] const Model& placedModel() const;
+
   // --- Viewport and camera ---
   /// CSS pixels (fractions allowed) and device pixels per CSS pixel. A viewport of no size draws and places nothing, and loses nothing.
   void resize(double widthPx, double heightPx, double devicePixelRatio);
@@ -87,6 +113,23 @@ class Editor {
   /// The browser took the pointer away, or Esc: the gesture is undone exactly.
   void cancelGesture();
   void wheel(const Vec2& screen, double deltaPx, const Modifiers& modifiers);
+  /// What is being dragged, and what that has led to.
+  struct Gesture {
+    enum class Limit : std::uint8_t { kNone, kMin, kMax };
+    std::size_t parameter = 0;
+    bool arc = false;             ///< an angle's arc, or else a line
+    double value = 0;
+    std::string text;             ///< the value as the label has it
+    std::string difference;       ///< to the start of the drag: "+0.40 m"; empty where there is none
+    Limit limit = Limit::kNone;
+    Vec2 handle{0.0};             ///< px, the arrowhead's tip as the last frame drew it
+    Vec2 direction{1.0, 0.0};     ///< on screen, the way in which the handle moves when the value grows; unit length
+    PointerKind pointer = PointerKind::kMouse;
+    DragSnap snap = DragSnap::kStep;
+  };
+  [[nodiscard]] std::optional<Gesture> gesture() const;
+  /// The parameter whose handle or label is at a place on screen: the nearest handle within the pointer's reach, or else the label there.
+  [[nodiscard]] std::optional<std::size_t> parameterAt(const Vec2& screen, PointerKind kind) const;
   /// Where a pointer that is not down hovers; nothing when it left.
   PointerTarget hover(const PointerInput& input);
   void endHover();
@@ -127,6 +170,10 @@ class Editor {
   /// Whether lines and other handles are drawn at all; without them there is only the picture. At the start they are.
   void setLinesShown(bool shown);
   [[nodiscard]] bool linesShown() const;
+  /// Whether parameters are shown as well that are hidden as occluded, too short, foreshortened or crowded (paper 5: a modifier key shows all handles).
+  /// When it ends, every line is where it was before.
+  void setHiddenShown(bool shown);
+  [[nodiscard]] bool hiddenShown() const;
   /// For people who asked their system for less motion: lines change place at once.
   void setReducedMotion(bool reduced);
   /// What happened since the last call.

@@ -52,7 +52,8 @@ bool Editor::atRest() const {
 void Editor::State::rebuild() {
   const Stopwatch watch;
   scene = model.definition.build(values);
-  placer.setScene(model, scene);
+  if (measuresShown) valuesWithMeasures = withMeasures(model, values, scene);
+  placer.setScene(placedModel(), scene);
   fieldSource.setScene(scene);
   visibilitySource.sceneChanged();
   sceneStale = false;
@@ -114,7 +115,7 @@ void Editor::State::placeOn(const View& view, bool moving) {
   }
   const auto held = drag && drag->line() ? drag->line()->lineOn(scene, values, view) : std::nullopt;
   const bool inChain = held && held->chain >= 0;
-  placer.place(view, fieldSource.fields(), values, placed, &visibilitySource.seen(), held && !inChain ? &*held : nullptr);
+  placer.place(view, fieldSource.fields(), placedValues(), placed, &visibilitySource.seen(), held && !inChain ? &*held : nullptr);
   if (inChain) holdMember(*held);
   if (drag && drag->arc()) {
     if (const auto arc = drag->arc()->handleOn(values, view)) holdArc(*arc);

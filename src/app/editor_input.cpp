@@ -21,6 +21,8 @@ constexpr double kMostWheelPx = 400.0;
 
 bool finite(const Vec2& v) { return std::isfinite(v.x) && std::isfinite(v.y); }
 
+Snap snapFor(const Modifiers& modifiers) { return modifiers.alt ? Snap::kNone : modifiers.shift ? Snap::kFine : Snap::kStep; }
+
 CameraGesture::Kind kindFor(const PointerInput& input) {
   const bool modified = input.modifiers.ctrl || input.modifiers.meta || input.modifiers.shift;
   if (input.button == PointerButton::kMiddle) return CameraGesture::Kind::kZoom;
@@ -51,7 +53,7 @@ PointerTarget Editor::pointerDown(const PointerInput& input) {
 PointerTarget Editor::pointerMove(const PointerInput& input) {
   State& s = *state_;
   if (s.drag && input.id == s.dragPointer) {
-    if (finite(input.screen)) s.moveHandle(input.screen);
+    if (finite(input.screen)) s.moveHandle(input);
     return PointerTarget::kHandle;
   }
   if (s.cameraGesture) {
@@ -180,6 +182,8 @@ bool Editor::State::beginHandleDrag(const PointerInput& input) {
   drag = takeHold(key, grabOffset, currentView());
   if (!drag) return false;
   dragPointer = input.id;
+  dragPointerKind = input.kind;
+  dragSnap = snapFor(input.modifiers);
   beforeDrag = placer.memory();
   hoverAt.reset();
   updateHover();
@@ -202,10 +206,11 @@ std::optional<ValueDrag> Editor::State::takeHold(const HandleKey& key, const Vec
   return std::nullopt;
 }
 
-void Editor::State::moveHandle(const Vec2& screen) {
+void Editor::State::moveHandle(const PointerInput& input) {
   if (!hasSize()) return;
+  dragSnap = snapFor(input.modifiers);
   Values next = drag->startValues();
-  next.set(drag->parameter(), drag->valueAt(screen, currentView()));
+  next.set(drag->parameter(), drag->valueAt(input.screen, currentView(), dragSnap));
   assign(next);
 }
 

@@ -19,7 +19,8 @@
 #include "render/renderer.h"
 
 // What an Editor is made of; private to the editor's own files. editor.cpp keeps the document, its viewport and its
-// camera, editor_input.cpp turns pointers into gestures, editor_frame.cpp makes frames, editor_draw.cpp draws them.
+// camera, editor_values.cpp says what values are to people, editor_input.cpp turns pointers into gestures, editor_frame.cpp
+// makes frames, editor_draw.cpp draws them.
 
 namespace dimline {
 
@@ -46,8 +47,8 @@ public:
   [[nodiscard]] const Values& startValues() const {
     return std::visit([](const auto& drag) -> const Values& { return drag.startValues(); }, drag_);
   }
-  double valueAt(const Vec2& pointer, const View& view) {
-    return std::visit([&](auto& drag) { return drag.valueAt(pointer, view); }, drag_);
+  double valueAt(const Vec2& pointer, const View& view, Snap snap) {
+    return std::visit([&](auto& drag) { return drag.valueAt(pointer, view, snap); }, drag_);
   }
   /// Null when it is the other one.
   [[nodiscard]] const HandleDrag* line() const { return std::get_if<HandleDrag>(&drag_); }
@@ -76,6 +77,10 @@ struct Editor::State {
   // --- Document ---
   bool loaded = false;
   Model model;
+  Model modelWithMeasures;  ///< the same, and its measures as further parameters
+  bool measuresShown = false;
+  Values valuesWithMeasures;  ///< of the scene
+  char decimalMark = '.';
   Values values;
   Scene scene;
   bool sceneStale = false;  ///< values changed since `scene` was built
@@ -92,6 +97,8 @@ struct Editor::State {
   // --- Gestures ---
   std::optional<ValueDrag> drag;
   int dragPointer = 0;
+  PointerKind dragPointerKind = PointerKind::kMouse;
+  Snap dragSnap = Snap::kStep;
   Placer::Memory beforeDrag;             ///< so that cancelling also puts every line back where it was
   std::optional<Placer::Memory> recall;  ///< to be put back before lines are placed again
   std::optional<CameraGesture> cameraGesture;
@@ -115,6 +122,12 @@ struct Editor::State {
   std::vector<LineState> lineStates, otherStates;
   std::vector<float> handleScales, otherScales;  ///< parallel to lineStates and otherStates
   bool linesShown = true;
+  bool hiddenShown = false;
+  struct BeforeHidden {
+    Placer::Memory memory;
+    Values values;
+    Mat4 viewProjection{0.0};
+  } beforeHidden;  ///< so that every line goes back where it was, if nothing else has changed
   bool placedOnce = false;
   Timings timings;
 
@@ -138,6 +151,12 @@ struct Editor::State {
   void finishEdits();
   void moveCamera(const Camera& next);
   void openingCamera();
+  void takeModel(Model next);
+  void placeAnew();
+
+  // editor_values.cpp
+  [[nodiscard]] const Model& placedModel() const { return measuresShown ? modelWithMeasures : model; }
+  [[nodiscard]] const Values& placedValues() const { return measuresShown ? valuesWithMeasures : values; }
 
   // editor_input.cpp
   [[nodiscard]] std::optional<GripRef> gripAt(const PointerInput& input) const;
@@ -151,7 +170,7 @@ struct Editor::State {
   std::optional<ValueDrag> takeHold(const HandleKey& key, const Vec2& grabOffset, const View& view) const;
   void beginCameraGesture(const PointerInput& input);
   void addFinger(const PointerInput& input);
-  void moveHandle(const Vec2& screen);
+  void moveHandle(const PointerInput& input);
   void moveCameraGesture();
   void endHandleDrag();
   void endCameraPointer(int id);

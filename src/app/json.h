@@ -54,7 +54,7 @@ Result<std::vector<Camera>> readCameras(std::string_view json);
 // --- Layouts
 // ----------------------------------------------------------------------------------------------------------
 
-/// The FRAME of section 6.
+/// The FRAME of section 6. For a model with measures (withMeasures()) it has an array "measures" too, of objects as in "lines", which nobody can drag.
 void writeFrame(JsonWriter& json, const Model& model, const Scene& scene, const Layout& layout);
 
 }  // namespace dimline

@@ -163,14 +163,25 @@ void writeFrame(JsonWriter& json, const Model& model, const Scene& scene, const 
   json.key("size").value(Vec2(layout.view.widthPx(), layout.view.heightPx()));
   json.key("view").value(layout.view.viewMatrix());
   json.key("projection").value(layout.view.projectionMatrix());
+  const auto isMeasure = [&](std::size_t parameter) { return model.parameters()[parameter].measure; };
   json.key("lines").beginArray();
-  for (const PlacedLine& line : layout.lines) writeLine(json, model, scene, line);
+  for (const PlacedLine& line : layout.lines) {
+    if (!isMeasure(line.parameter)) writeLine(json, model, scene, line);
+  }
   json.endArray();
+  if (!model.parameters().empty() && isMeasure(model.parameters().size() - 1)) {
+    json.key("measures").beginArray();
+    for (const PlacedLine& line : layout.lines) {
+      if (isMeasure(line.parameter)) writeLine(json, model, scene, line);
+    }
+    json.endArray();
+  }
   json.key("others").beginArray();
   for (const PlacedHandle& handle : layout.others) writeOther(json, model, scene, handle);
   json.endArray();
   json.key("hidden").beginArray();
   for (const HiddenParameter& hidden : layout.hidden) {
+    if (isMeasure(hidden.parameter)) continue;
     json.beginObject();
     json.key("parameter").value(model.parameters()[hidden.parameter].name);
     json.key("reason").value(name(hidden.reason));

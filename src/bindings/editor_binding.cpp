@@ -40,6 +40,8 @@ constexpr std::string_view kStandardViews[] = {"three-quarter", "front", "back",
 constexpr std::string_view kFieldsFrom[] = {"auto", "cpu", "gpu"};
 constexpr std::string_view kPointerKinds[] = {"mouse", "touch", "pen"};
 constexpr std::string_view kPointerTargets[] = {"", "handle", "camera"};
+constexpr std::string_view kLimits[] = {"", "min", "max"};
+constexpr std::string_view kSnaps[] = {"step", "fine", "none"};
 constexpr std::string_view kEvents[] = {"input", "change", "camera-change", "load"};
 
 template <typename Enum>
@@ -128,7 +130,7 @@ public:
   std::string setParameterContinuous(const std::string& name, const std::string& text) {
     const auto parameters = editor_.model().parameters();
     const auto index = findParameter(parameters, name);
-    if (!index) return "There is no parameter " + inQuotes(name) + ".";
+    if (!index) return unknownParameter(name).message;
     const auto value = readValue(parameters[*index], text);
     if (!value) return value.error().message;
     editor_.setValueContinuous(*index, *value);
@@ -136,6 +138,52 @@ public:
   }
 
   void endContinuous() { editor_.endContinuous(); }
+
+  /// {"value": …}, or {"error": a sentence}.
+  [[nodiscard]] std::string parseValueJson(const std::string& name, const std::string& text) const {
+    const auto parameters = editor_.model().parameters();
+    const auto index = findParameter(parameters, name);
+    const Result<double> value = index ? editor_.parseValue(*index, text) : unknownParameter(name);
+    JsonWriter json;
+    json.beginObject();
+    if (value) {
+      json.key("value");
+      writeValue(json, parameters[*index], *value);
+    } else {
+      json.key("error").value(value.error().message);
+    }
+    return json.endObject().take();
+  }
+  [[nodiscard]] std::string inputText(const std::string& name) const {
+    const auto index = findParameter(editor_.model().parameters(), name);
+    return index ? editor_.inputText(*index) : std::string();
+  }
+  std::string resetParameter(const std::string& name) {
+    const auto index = findParameter(editor_.model().parameters(), name);
+    if (!index) return unknownParameter(name).message;
+    editor_.resetParameter(*index);
+    return {};
+  }
+  std::string setDecimalMark(const std::string& mark) {
+    if (mark != "." && mark != ",") return "The decimal mark is \".\" or \",\", not " + inQuotes(mark) + ".";
+    editor_.setDecimalMark(mark[0]);
+    return {};
+  }
+
+  [[nodiscard]] std::string measuresJson() const {
+    JsonWriter json;
+    json.beginArray();
+    for (const Editor::MeasureReading& measure : editor_.measures()) {
+      json.beginObject();
+      json.key("name").value(measure.shown->name).key("title").value(measure.shown->title).key("help").value(measure.shown->help);
+      json.key("unit").value(name(measure.shown->unit)).key("value").value(measure.value).key("text").value(measure.text);
+      json.endObject();
+    }
+    return json.endArray().take();
+  }
+  void setMeasuresShown(bool shown) { editor_.setMeasuresShown(shown); }
+  [[nodiscard]] bool measuresShown() const { return editor_.measuresShown(); }
+
   void undo() { editor_.undo(); }
   void redo() { editor_.redo(); }
   [[nodiscard]] bool canUndo() const { return editor_.canUndo(); }
@@ -183,6 +231,27 @@ public:
   }
   void endHover() { editor_.endHover(); }
   void cancelGesture() { editor_.cancelGesture(); }
+  [[nodiscard]] std::string gestureJson() const {
+    const auto gesture = editor_.gesture();
+    if (!gesture) return "null";
+    const Parameter& parameter = editor_.model().parameters()[gesture->parameter];
+    JsonWriter json;
+    json.beginObject();
+    json.key("parameter").value(parameter.name).key("kind").value(gesture->arc ? "arc" : "line");
+    json.key("value");
+    writeValue(json, parameter, gesture->value);
+    json.key("text").value(gesture->text).key("difference").value(gesture->difference);
+    json.key("limit");
+    gesture->limit == Editor::Gesture::Limit::kNone ? json.null() : json.value(nameIn(kLimits, gesture->limit));
+    json.key("handle").value(roundedPx(gesture->handle)).key("direction").value(gesture->direction);
+    json.key("pointer").value(nameIn(kPointerKinds, gesture->pointer)).key("snap").value(nameIn(kSnaps, gesture->snap));
+    return json.endObject().take();
+  }
+  /// Empty when nothing is there.
+  [[nodiscard]] std::string handleAt(double x, double y, const std::string& kind) const {
+    const auto at = editor_.parameterAt({x, y}, static_cast<PointerKind>(indexOf(kind, kPointerKinds).value_or(0)));
+    return at ? editor_.model().parameters()[*at].name : std::string();
+  }
   void wheel(double x, double y, double deltaPx, int modifierBits) {
     editor_.wheel({x, y}, deltaPx, modifiersFrom(modifierBits));
   }
@@ -215,10 +284,12 @@ public:
   void setReducedMotion(bool reduced) { editor_.setReducedMotion(reduced); }
   void setLinesShown(bool shown) { editor_.setLinesShown(shown); }
   [[nodiscard]] bool linesShown() const { return editor_.linesShown(); }
+  void setHiddenShown(bool shown) { editor_.setHiddenShown(shown); }
+  [[nodiscard]] bool hiddenShown() const { return editor_.hiddenShown(); }
 
   [[nodiscard]] std::string layoutJson() const {
     JsonWriter json;
-    writeFrame(json, editor_.model(), editor_.scene(), editor_.layout());
+    writeFrame(json, editor_.placedModel(), editor_.scene(), editor_.layout());
     return json.take();
   }
 
@@ -310,7 +381,8 @@ private:
   template <typename Placed>
   void writeLabel(JsonWriter& json, const Placed& placed, const Box2* box, const Editor::LineState& state,
                   bool fading) const {
-    const auto parameters = editor_.model().parameters();
+    const auto parameters = editor_.placedModel().parameters();
+    if (placed.parameter >= parameters.size()) return;  // a measure that fades since measures are shown no more
     std::string id = identityText(placed.identity, parameters);
     // A line on its way out must not be taken for one that comes back in its place.
     if (fading) id += "~";
@@ -328,6 +400,10 @@ private:
     json.key("opacity").value(roundedShare(state.opacity));
     json.key("hovered").value(state.hovered);
     json.key("dragged").value(state.dragged);
+    json.key("measure").value(parameters[placed.parameter].measure);
+    json.key("limit");
+    const auto gesture = state.dragged ? editor_.gesture() : std::nullopt;
+    gesture && gesture->limit != Editor::Gesture::Limit::kNone ? json.value(nameIn(kLimits, gesture->limit)) : json.null();
     json.key("handles").beginArray();
     if (!fading) {
       for (const Handle& handle : placed.handles) {
@@ -360,6 +436,8 @@ private:
     json.endObject();
   }
 
+  static Error unknownParameter(std::string_view name) { return Error{"There is no parameter " + inQuotes(name) + "."}; }
+
   Editor editor_;
   int context_ = 0;
 };
@@ -378,6 +456,13 @@ EMSCRIPTEN_BINDINGS(dimline) {
       .function("setParametersJson", &EditorBinding::setParametersJson)
       .function("setParameterContinuous", &EditorBinding::setParameterContinuous)
       .function("endContinuous", &EditorBinding::endContinuous)
+      .function("parseValueJson", &EditorBinding::parseValueJson)
+      .function("inputText", &EditorBinding::inputText)
+      .function("resetParameter", &EditorBinding::resetParameter)
+      .function("setDecimalMark", &EditorBinding::setDecimalMark)
+      .function("measuresJson", &EditorBinding::measuresJson)
+      .function("setMeasuresShown", &EditorBinding::setMeasuresShown)
+      .function("measuresShown", &EditorBinding::measuresShown)
       .function("undo", &EditorBinding::undo)
       .function("redo", &EditorBinding::redo)
       .function("canUndo", &EditorBinding::canUndo)
@@ -392,6 +477,8 @@ EMSCRIPTEN_BINDINGS(dimline) {
       .function("pointerDown", &EditorBinding::pointerDown)
       .function("pointerMove", &EditorBinding::pointerMove)
       .function("pointerUp", &EditorBinding::pointerUp)
+      .function("gestureJson", &EditorBinding::gestureJson)
+      .function("handleAt", &EditorBinding::handleAt)
       .function("hover", &EditorBinding::hover)
       .function("endHover", &EditorBinding::endHover)
       .function("cancelGesture", &EditorBinding::cancelGesture)
@@ -405,6 +492,8 @@ EMSCRIPTEN_BINDINGS(dimline) {
       .function("setReducedMotion", &EditorBinding::setReducedMotion)
       .function("setLinesShown", &EditorBinding::setLinesShown)
       .function("linesShown", &EditorBinding::linesShown)
+      .function("setHiddenShown", &EditorBinding::setHiddenShown)
+      .function("hiddenShown", &EditorBinding::hiddenShown)
       .function("layoutJson", &EditorBinding::layoutJson)
       .function("labelsJson", &EditorBinding::labelsJson)
       .function("pillsJson", &EditorBinding::pillsJson)

@@ -66,7 +66,7 @@ std::optional<double> ArcDrag::angleRadAt(const Vec2& screen, const View& view) 
   return std::atan2(y, x);
 }
 
-double ArcDrag::valueAt(const Vec2& pointer, const View& view) {
+double ArcDrag::valueAt(const Vec2& pointer, const View& view, Snap snap) {
   const Vec2 screen = pointer - grabOffset_;
   const auto angleRad = angleRadAt(screen, view);
   if (!angleRad) return lastValue_;
@@ -86,7 +86,13 @@ double ArcDrag::valueAt(const Vec2& pointer, const View& view) {
       best = value;
     }
   }
-  return lastValue_ = snapValue(parameter, best);
+  Parameter snapped = snappedBy(parameter, snap);
+  if (!(snapped.step > 0)) {
+    // Decimal angles finer than anybody can point at.
+    const double radiusPx = std::max(glm::length(startTip - view.toScreen(handle_.arc->center)), 1.0);
+    snapped.step = std::pow(10.0, std::floor(std::log10(kTolerancePx / radiusPx / kRadPerDeg)));
+  }
+  return lastValue_ = snapValue(snapped, best);
 }
 
 std::optional<PlacedHandle> ArcDrag::handleOn(const Values& values, const View& view) const {

@@ -62,18 +62,14 @@ std::optional<HandleDrag> HandleDrag::begin(const Model& model, const Values& va
   const ScreenMotion motion = screenMotion(view, grabbed, (line.line.end - line.line.start) / lengthM);
   if (!(motion.pxPerM * lengthM > kLeastLinePx) || !std::isfinite(motion.pxPerM)) return std::nullopt;
 
-  const Parameter& parameter = model.parameters()[line.parameter];
-  const double value = values.at(line.parameter);
-  ValueSearch search(parameter, value, expectedSlope(parameter, line, value, handle.atEnd),
-                     kTolerancePx / motion.pxPerM);
-  HandleDrag drag(model, values, line, handle, pointer - handle.screen, view, std::move(search));
+  HandleDrag drag(model, values, line, handle, pointer - handle.screen, view, kTolerancePx / motion.pxPerM);
   drag.findMeasured(scene);
   if (drag.baseLine_ < 0) return std::nullopt;
   return drag;
 }
 
 HandleDrag::HandleDrag(const Model& model, const Values& values, const PlacedLine& line, const Handle& handle,
-                       const Vec2& grabOffset, const View& view, ValueSearch search)
+                       const Vec2& grabOffset, const View& view, double toleranceM)
     : model_(&model),
       startValues_(values),
       startView_(view),
@@ -82,13 +78,29 @@ HandleDrag::HandleDrag(const Model& model, const Values& values, const PlacedLin
       atEnd_(handle.atEnd),
       direction_(glm::normalize(line.line.end - line.line.start)),
       grabOffset_(grabOffset),
-      search_(std::move(search)),
+      toleranceM_(toleranceM),
       lastValue_(values.at(line.parameter)) {}
 
-double HandleDrag::valueAt(const Vec2& pointer, const View& view) {
+ValueSearch& HandleDrag::search(Snap snap) {
+  auto& search = searches_[static_cast<std::size_t>(snap)];
+  if (!search) {
+    const Parameter& parameter = model_->parameters()[line_.parameter];
+    const double value = startValues_.at(line_.parameter);
+    search.emplace(snappedBy(parameter, snap), value, expectedSlope(parameter, line_, value, atEnd_), toleranceM_);
+  }
+  return *search;
+}
+
+int HandleDrag::evaluations() const {
+  int total = 0;
+  for (const auto& search : searches_) total += search ? search->evaluations() : 0;
+  return total;
+}
+
+double HandleDrag::valueAt(const Vec2& pointer, const View& view, Snap snap) {
   const Vec2 screen = pointer - grabOffset_;
   if (!std::isfinite(screen.x) || !std::isfinite(screen.y)) return lastValue_;
-  lastValue_ = search_.find(targetM(screen, view), [this](double value) { return endAt(value); });
+  lastValue_ = search(snap).find(targetM(screen, view), [this](double value) { return endAt(value); });
   return lastValue_;
 }
 

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <array>
 #include <optional>
 
 #include "editing/line_projection.h"
+#include "editing/snap.h"
 #include "editing/value_search.h"
 #include "model/model.h"
 #include "placement/layout.h"
@@ -35,17 +37,17 @@ public:
   /// The line as it was when the drag began.
   [[nodiscard]] const PlacedLine& startLine() const { return line_; }
 
-  /// The value at which the dragged end is nearest to the pointer, along the line's direction on screen; on a step, in
-  /// the range. A pointer that is not a number gives the last value. The camera must be the one of begin(); the
-  /// viewport may have changed.
-  double valueAt(const Vec2& pointer, const View& view);
+  /// The value at which the dragged end is nearest to the pointer, along the line's direction on screen; of those that
+  /// `snap` allows, in the range. A pointer that is not a number gives the last value. The camera must be the one of
+  /// begin(); the viewport may have changed.
+  double valueAt(const Vec2& pointer, const View& view, Snap snap = Snap::kStep);
 
   /// The dragged line on a rebuilt scene, in the world and as `view` shows it. Nothing when the model has no such scope
   /// any more or the line cannot be projected.
   [[nodiscard]] std::optional<PlacedLine> lineOn(const Scene& scene, const Values& values, const View& view) const;
 
   /// How often the model was evaluated so far.
-  [[nodiscard]] int evaluations() const { return search_.evaluations(); }
+  [[nodiscard]] int evaluations() const;
 
 private:
   struct Tracked {
@@ -54,7 +56,8 @@ private:
   };
 
   HandleDrag(const Model& model, const Values& values, const PlacedLine& line, const Handle& handle,
-             const Vec2& grabOffset, const View& view, ValueSearch search);
+             const Vec2& grabOffset, const View& view, double toleranceM);
+  [[nodiscard]] ValueSearch& search(Snap snap);
   [[nodiscard]] const Annotation& annotation() const { return *model_->annotations[line_.parameter]; }
   void findMeasured(const Scene& scene);
   [[nodiscard]] std::size_t countScopes(const Scene& scene) const;
@@ -75,7 +78,8 @@ private:
   int baseLine_ = -1;
   Vec3 direction_;   ///< unit, of the line from start to end
   Vec2 grabOffset_;  ///< px, from the handle to the pointer
-  ValueSearch search_;
+  double toleranceM_;   ///< along the line, what cannot be told apart on screen
+  std::array<std::optional<ValueSearch>, 3> searches_;   ///< one a Snap, made when it is needed
   double lastValue_;
 };
 

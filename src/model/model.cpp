@@ -80,6 +80,22 @@ std::string_view mismatch(const Parameter& parameter, const Annotation& annotati
   return type == ParameterType::kAngle && annotation.indirect ? "" : "a length";
 }
 
+/// The annotation beside a parameter, if it has a usable one; what is wrong with it goes to the diagnostics.
+std::optional<Annotation> readAnnotation(const Parameter& parameter, std::vector<std::string>& diagnostics) {
+  if (trim(parameter.annotation).empty()) return std::nullopt;
+  auto parsed = parseAnnotation(parameter.annotation);
+  if (!parsed) {
+    diagnostics.push_back(parameter.name + ": " + parsed.error().message);
+    return std::nullopt;
+  }
+  for (const std::string& warning : parsed->warnings) diagnostics.push_back(parameter.name + ": " + warning);
+  const HandleType type = parsed->annotation.type;
+  const std::string_view wanted = parameter.measure && !isLine(type) ? "a parameter, and this is a measure" : mismatch(parameter, parsed->annotation);
+  if (wanted.empty()) return parsed->annotation;
+  diagnostics.push_back(parameter.name + ": type=" + std::string(name(type)) + " is for " + std::string(wanted) + ", so it gets no handle.");
+  return std::nullopt;
+}
+
 }  // namespace
 
 Result<Model> makeModel(ModelDefinition definition) {
@@ -103,26 +119,42 @@ Result<Model> makeModel(ModelDefinition definition) {
     normalise(parameter);
     if (Status status = checkNumbers(parameter); !status) return inModel(status.error());
 
-    std::optional<Annotation> annotation;
-    if (!trim(parameter.annotation).empty()) {
-      auto parsed = parseAnnotation(parameter.annotation);
-      if (!parsed) {
-        model.diagnostics.push_back(parameter.name + ": " + parsed.error().message);
-      } else {
-        for (const std::string& warning : parsed->warnings)
-          model.diagnostics.push_back(parameter.name + ": " + warning);
-        if (const std::string_view wanted = mismatch(parameter, parsed->annotation); wanted.empty()) {
-          annotation = parsed->annotation;
-        } else {
-          model.diagnostics.push_back(parameter.name + ": type=" + std::string(name(parsed->annotation.type)) +
-                                      " is for " + std::string(wanted) + ", so it gets no handle.");
-        }
-      }
+    model.annotations.push_back(readAnnotation(parameter, model.diagnostics));
+  }
+  for (Measure& measure : definition.measures) {
+    if (trim(measure.shown.name).empty() || findParameter(parameters, measure.shown.name)) {
+      return Error{"In the model " + inQuotes(definition.name) + ": a measure needs a name of its own, not " + inQuotes(measure.shown.name) + "."};
     }
-    model.annotations.push_back(std::move(annotation));
+    measure.shown.measure = true;
+    measure.shown.step = measure.shown.unit == Unit::kMetre ? 0.01 : 1;   // so many decimals are read
+    model.measureAnnotations.push_back(readAnnotation(measure.shown, model.diagnostics));
   }
   model.definition = std::move(definition);
   return model;
+}
+
+Model withMeasures(const Model& model) {
+  Model all = model;
+  for (const Measure& measure : model.definition.measures) all.definition.parameters.push_back(measure.shown);
+  all.annotations.insert(all.annotations.end(), model.measureAnnotations.begin(), model.measureAnnotations.end());
+  all.definition.measures.clear();
+  all.measureAnnotations.clear();
+  return all;
+}
+
+Values withMeasures(const Model& model, const Values& values, const Scene& scene) {
+  Values all = values;
+  for (std::size_t i = 0; i < model.definition.measures.size(); ++i) all.append(measuredValue(model, i, values, scene));
+  return all;
+}
+
+double measuredValue(const Model& model, std::size_t measure, const Values& values, const Scene& scene) {
+  if (const auto& value = model.definition.measures[measure].value) return value(values, scene);
+  const auto& annotation = model.measureAnnotations[measure];
+  if (!annotation) return 0;
+  const auto scope = std::ranges::find(scene.scopes, annotation->scope, &Scope::name);
+  const int axis = axisOf(annotation->orient).axis;
+  return scope != scene.scopes.end() && axis >= 0 ? scope->box.size[axis] : 0;
 }
 
 }  // namespace dimline

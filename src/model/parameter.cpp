@@ -54,20 +54,6 @@ int decimalsFor(const Parameter& parameter, int least) {
   return std::clamp(static_cast<int>(std::ceil(-std::log10(step) - 1e-6)), least, 6);
 }
 
-std::string_view suffixOf(Unit unit) {
-  switch (unit) {
-    case Unit::kMetre:
-      return " m";
-    case Unit::kDegree:
-      return "\xC2\xB0";
-    case Unit::kSquareMetre:
-      return " m\xC2\xB2";
-    case Unit::kNone:
-      break;
-  }
-  return "";
-}
-
 /// Takes the parameter's own unit from the end of a number, in the ways in which people type it.
 std::string_view withoutUnit(std::string_view text, Unit unit) {
   static constexpr std::string_view kMetre[] = {"m"};
@@ -173,6 +159,20 @@ Result<double> parseValue(const Parameter& parameter, std::string_view text) {
   return parseNumber(parameter, trimmed);
 }
 
+std::string_view unitSuffix(Unit unit) {
+  switch (unit) {
+    case Unit::kMetre:
+      return " m";
+    case Unit::kDegree:
+      return "\xC2\xB0";
+    case Unit::kSquareMetre:
+      return " m\xC2\xB2";
+    case Unit::kNone:
+      break;
+  }
+  return "";
+}
+
 std::string formatValue(const Parameter& parameter, double value) {
   switch (parameter.type) {
     case ParameterType::kBool:
@@ -182,7 +182,7 @@ std::string formatValue(const Parameter& parameter, double value) {
       return index < parameter.choices.size() ? parameter.choices[index] : std::string();
     }
     case ParameterType::kInt:
-      return formatFixed(value, 0) + std::string(suffixOf(parameter.unit));
+      return formatFixed(value, 0) + std::string(unitSuffix(parameter.unit));
     case ParameterType::kFloat:
     case ParameterType::kAngle:
       break;
@@ -195,7 +195,9 @@ std::string formatValue(const Parameter& parameter, double value) {
   } else {
     decimals = decimalsFor(parameter, 2);
   }
-  return formatFixed(value, decimals) + std::string(suffixOf(parameter.unit));
+  std::string text = formatFixed(value, decimals);
+  std::ranges::replace(text, '.', parameter.decimalMark);
+  return text + std::string(unitSuffix(parameter.unit));
 }
 
 std::string_view name(ParameterType type) {

@@ -31,6 +31,8 @@ struct Parameter {
   std::string noun{};                ///< what a count counts, in the singular, for labels: "floor" gives "2 floors"
   std::vector<std::string> choices{};  ///< names of the choices, for kChoice
   std::string annotation{};          ///< the text beside the definition (DESIGN.md section 3); empty: only in the panel
+  bool measure = false;              ///< follows from other values: shown by a line that nobody can drag (see Measure)
+  char decimalMark = '.';            ///< in values that people read: '.' or ','. Never an author's choice; a host sets it to its visitor's
 };
 
 /// The values of a model's parameters, in the order of their definition.
@@ -42,6 +44,7 @@ class Values {
   [[nodiscard]] std::size_t size() const { return values_.size(); }
   [[nodiscard]] double at(std::size_t index) const { return values_[index]; }
   void set(std::size_t index, double value) { values_[index] = value; }
+  void append(double value) { values_.push_back(value); }
   bool operator==(const Values&) const = default;
 
  private:
@@ -62,8 +65,11 @@ double snapValue(const Parameter& parameter, double value);
 /// read, and the values that are allowed. Out of range is an error; off-step is not.
 Result<double> parseValue(const Parameter& parameter, std::string_view text);
 
-/// The value as people read it, with its unit: "2.40 m", "35°", "3", "on", "gable". `.` is the decimal sign.
+/// The value as people read it, with its unit and the parameter's decimal mark: "2.40 m", "35°", "3", "on", "gable".
 std::string formatValue(const Parameter& parameter, double value);
+
+/// The unit as it follows a number: " m", "°", " m²", "".
+std::string_view unitSuffix(Unit unit);
 
 /// "float", "int", "angle", "bool", "choice"; and "m", "deg", "m2" or "".
 std::string_view name(ParameterType type);

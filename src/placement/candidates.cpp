@@ -93,7 +93,7 @@ bool placeAt(Candidate& candidate, const Slide& slide, double offsetM, const Vie
 
 /// Scores the placed candidate and keeps it, when it is long enough.
 void keep(const CandidateContext& context, Candidate& candidate, std::vector<Candidate>& candidates) {
-  if (candidate.lineScreen.length() < leastLengthPx(context.annotation)) return;
+  if (candidate.lineScreen.length() < context.leastPx) return;
   candidate.score = score({.base = candidate.baseScreen,
                            .candidate = candidate.lineScreen,
                            .align = context.annotation.align,

@@ -63,6 +63,7 @@ struct CandidateContext {
   const History& history;              ///< the parameter's choices before, for the term Damp and hysteresis
   double toleranceM = 0;               ///< kSamePlaneDistance of the model's size
   std::vector<SlipPlane>& planes;      ///< memory for one base line's planes
+  double leastPx = 0;                  ///< length on screen of the shortest line that is shown
 };
 
 /// The least length on screen at which a line of this annotation is shown.

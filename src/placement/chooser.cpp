@@ -22,6 +22,14 @@ ChosenLine chosen(const Candidate& c, std::optional<Box2> label = std::nullopt) 
   return {c.scope, c.base, c.baseScreen, c.foot, c.footScreen, c.line, c.lineScreen, label};
 }
 
+/// px. While all is shown, a line must still have a direction on screen.
+constexpr double kShowAllLengthPx = 1.5;
+
+/// By what the thresholds of constants.h are multiplied for what is too short or points at the viewer.
+double thresholdFactor(const Measured& measured, const ChoiceContext& context) {
+  return context.showAll ? kShowAllLengthPx / leastLengthPx(measured.annotation) : 1.0;
+}
+
 }  // namespace
 
 bool Chooser::choose(const Measured& measured, const ChoiceContext& context, const History& history) {
@@ -29,10 +37,12 @@ bool Chooser::choose(const Measured& measured, const ChoiceContext& context, con
   // A chain moves as a whole, so of its members' base lines it is enough to know that there is one, unless they have to stand for themselves.
   const bool chained = !measured.clusters.empty();
   const auto enough = chained ? Enough::kOne : Enough::kAll;
-  if (history.hidden() && !gatherBases(measured, context, kShowAgainFactor, Enough::kOne)) return false;
-  if (!gatherBases(measured, context, 1.0, enough)) return false;
+  const double factor = thresholdFactor(measured, context);
+  if (history.hidden() && !gatherBases(measured, context, kShowAgainFactor * factor, Enough::kOne)) return false;
+  if (!gatherBases(measured, context, factor, enough)) return false;
   const CandidateContext candidates{measured.annotation, context.view, context.occupied.padded(), context.occupied.paddedModel(), context.occupied.guides(),
-                                    context.objectPlanes, context.viewMoved, history, context.toleranceM, slipPlanes_};
+                                    context.objectPlanes, context.viewMoved, history, context.toleranceM, slipPlanes_,
+                                    factor * leastLengthPx(measured.annotation)};
   chainBases_.clear();
   for (std::size_t i = 0; i < measured.clusters.size(); ++i) {
     gatherChainBaseLines(measured.clusters[i], static_cast<std::int32_t>(i), context.view, chainBases_);
@@ -41,7 +51,7 @@ bool Chooser::choose(const Measured& measured, const ChoiceContext& context, con
   // looked at again.
   const bool singleStays = chained && history.last().chain < 0 && history.last().plane >= 0 && history.framesHeld() < kReturnFrames;
   const auto chooseSingle = [&] {
-    if (chained) gatherBases(measured, context, 1.0, Enough::kAll);
+    if (chained) gatherBases(measured, context, factor, Enough::kAll);
     return chooseOutside(bases_, measured, candidates, context);
   };
   if (singleStays && chooseSingle()) return true;
@@ -143,6 +153,7 @@ bool Chooser::expandChain(const Candidate& candidate, const Measured& measured, 
   const Cluster& cluster = measured.clusters[static_cast<std::size_t>(candidate.identity.chain)];
   const double toleranceM = context.toleranceM;
   const Guide* guide = candidate.guide >= 0 ? &context.occupied.guides()[static_cast<std::size_t>(candidate.guide)] : nullptr;
+  const double leastPx = thresholdFactor(measured, context) * leastLengthPx(measured.annotation);
   chainStretches_.clear();
   for (const std::uint32_t index : cluster.nearestFirst[static_cast<std::size_t>(candidate.identity.baseLine)]) {
     const ChainMember& m = cluster.members[index];
@@ -150,7 +161,7 @@ bool Chooser::expandChain(const Candidate& candidate, const Measured& measured, 
     if (!view.inFrontOfNear(m.segment.start) || !view.inFrontOfNear(m.segment.end)) continue;
     const Segment line{candidate.line.start + cluster.along * m.fromM, candidate.line.start + cluster.along * m.toM};
     const Segment2 lineScreen = view.toScreen(line);
-    if (lineScreen.length() < leastLengthPx(measured.annotation)) continue;
+    if (lineScreen.length() < leastPx) continue;
     if (guide != nullptr) {
       const auto [from, to] = std::minmax({guide->metresAt(line.start), guide->metresAt(line.end)});
       if (!guide->taken.free(from, to, toleranceM) || !context.occupied.landed().hasRoom(lineScreen, candidate.guide)) continue;

@@ -21,6 +21,7 @@ struct ChoiceContext {
   std::span<const char> usable;             ///< one a scope: whether it may carry a line in this frame
   double toleranceM = 0;                    ///< kSamePlaneDistance of the model's size
   bool viewMoved = false;                   ///< since the last frame
+  bool showAll = false;                     ///< base lines that are short or point at the viewer can be used too
 };
 
 /// One line of a choice: the line itself, or a member of its chain.

@@ -85,6 +85,7 @@ struct Placer::State {
     bool sceneChanged = false;        ///< since the last frame
   };
   Past past;
+  bool showHidden = false;
   Past beforePlacing;                 ///< in a viewport that may be too small: what to go back to
 
   // Memory of one frame, kept so that the next allocates nothing.
@@ -100,7 +101,9 @@ struct Placer::State {
   bool placeAll(const View& view, const DistanceFields& fields, const Values& values, std::size_t crowded, bool viewMoved, const PlacedLine* held,
                 Layout& layout);
   void findVisible(const View& view, const ScopeVisibility* visibility);
-  [[nodiscard]] std::span<const char> usableScopes(const Annotation& annotation) const { return annotation.occlusion ? past.seen : inView; }
+  [[nodiscard]] std::span<const char> usableScopes(const Annotation& annotation) const {
+    return annotation.occlusion && !showHidden ? past.seen : inView;
+  }
   [[nodiscard]] BaseLineTally scopesOutOfSight(const Measured& measured) const;
   bool placeLines(Measured& measured, const ChoiceContext& context, double value, Layout& layout);
   void landChoice(const Measured& measured, double value, Layout& layout);
@@ -135,6 +138,8 @@ void Placer::recall(const Memory& memory) {
   state_->past = memory.content_->past;
 }
 
+void Placer::showHidden(bool shown) { state_->showHidden = shown; }
+
 void Placer::setScene(const Model& model, const Scene& scene) {
   State& s = *state_;
   const auto sameName = [](const Parameter& a, const Parameter& b) { return a.name == b.name; };
@@ -142,8 +147,8 @@ void Placer::setScene(const Model& model, const Scene& scene) {
   if (s.scopes.size() != scene.scopes.size()) s.past.seen.clear();
   s.scopes = scene.scopes;
   s.modelSizeM = scene.bounds.diagonal();
+  s.parameters.assign(model.parameters().begin(), model.parameters().end());
   if (!sameModel) {
-    s.parameters.assign(model.parameters().begin(), model.parameters().end());
     s.past.histories.assign(s.parameters.size(), History(-1));
     forget();
   }
@@ -155,6 +160,8 @@ void Placer::setScene(const Model& model, const Scene& scene) {
     (isLine(measured.annotation.type) ? s.order : s.others).push_back(std::move(measured));
   }
   std::ranges::stable_sort(s.order, {}, &Measured::meanLengthM);
+  // What is only read takes no place from what can be edited.
+  std::ranges::stable_partition(s.order, [&](const Measured& m) { return !s.parameters[m.parameter].measure; });
   s.objectPlanes = objectPlanes(fixedBaseLines(s.order, s.scopes), scene.bounds);
 }
 
@@ -168,9 +175,10 @@ void Placer::place(const View& view, const DistanceFields& fields, const Values&
   s.findVisible(view, visibility);
   facePlanes(s.objectPlanes, view, s.objectPlaneUses);
 
-  const std::size_t all = s.order.size() + s.others.size();
+  const auto isMeasure = [&](const Measured& m) { return s.parameters[m.parameter].measure; };
+  const std::size_t all = s.order.size() + s.others.size() - static_cast<std::size_t>(std::ranges::count_if(s.order, isMeasure));
   const auto roomFor = static_cast<std::size_t>(std::ceil(view.widthPx() * view.heightPx() / kCrowdedPx2));
-  const std::size_t mostCrowded = roomFor >= all ? 0 : std::min(all - roomFor, s.order.size());
+  const std::size_t mostCrowded = s.showHidden || roomFor >= all ? 0 : std::min(all - roomFor, s.order.size());
   std::size_t crowded = std::min(s.past.crowded, mostCrowded);
   // Now and then it is tried whether one that was hidden has room again.
   if (crowded > 0 && viewMoved && s.past.crowdedFrames >= kReturnFrames) --crowded;
@@ -223,12 +231,13 @@ bool Placer::State::placeAll(const View& view, const DistanceFields& fields, con
       past.histories[measured.parameter].choseNone();
     } else {
       cramped |= placeLines(measured,
-                            {view, fields, occupied, past.lookAhead, object, scopes, usableScopes(measured.annotation), object.toleranceM, viewMoved},
+                            {view, fields, occupied, past.lookAhead, object, scopes, usableScopes(measured.annotation), object.toleranceM, viewMoved,
+                             showHidden},
                             values.at(measured.parameter), layout);
     }
   }
   // Lines are bound to their planes; a switch finds a place nearly anywhere, so it takes what they leave.
-  const bool noPills = view.widthPx() * view.heightPx() < kPillsCrowdedPx2 * static_cast<double>(order.size() + others.size());
+  const bool noPills = !showHidden && view.widthPx() * view.heightPx() < kPillsCrowdedPx2 * static_cast<double>(order.size() + others.size());
   for (const Measured& other : others) {
     if (noPills && other.annotation.type != HandleType::kAngular) {
       layout.hidden.push_back({other.parameter, HiddenReason::kCrowded});
@@ -317,8 +326,9 @@ void Placer::State::landChoice(const Measured& measured, double value, Layout& l
     line.text = measured.text;
     line.label = chosen.label;
     line.handles.clear();
-    line.handles.push_back({true, chosen.lineScreen.end});
-    if (measured.annotation.ends == HandleEnds::kBoth) line.handles.push_back({false, chosen.lineScreen.start});
+    const bool measure = parameters[measured.parameter].measure;
+    if (!measure) line.handles.push_back({true, chosen.lineScreen.end});
+    if (!measure && measured.annotation.ends == HandleEnds::kBoth) line.handles.push_back({false, chosen.lineScreen.start});
     occupied.add(line, guide);
   }
 }

@@ -37,6 +37,10 @@ class Placer {
   [[nodiscard]] Memory memory() const;
   void recall(const Memory& memory);
 
+  /// From the next frame on, handles are shown too that are hidden as occluded, too short, foreshortened or crowded (paper 5, "Rendering Handles": a modifier key
+  /// shows all hidden handles). At the start they are not. To have every line back where it was before, recall the memory() of then.
+  void showHidden(bool shown);
+
   /// One frame. `fields` are the model's own, of the same viewport as `view`; `visibility` says how much of each of the scene's scopes is seen, from
   /// this frame or a recent one (null: nothing is hidden by the model). `values` are what the labels say. `held`: a line that is being dragged and
   /// no member of a chain; at its parameter's turn it is taken as it is, and later lines keep clear of it as of any other.

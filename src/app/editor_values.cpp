@@ -1,0 +1,132 @@
+#include <cassert>
+
+#include "app/editor_state.h"
+#include "editing/arc_projection.h"
+#include "editing/value_text.h"
+
+// What values are to people: texts that they type and read, what a drag has led to, what follows from the values.
+
+namespace dimline {
+
+namespace {
+
+/// px. How far outside a label's box a pointer is still on the label.
+constexpr double kLabelReachPx = 4.0;
+
+bool finite(const Vec2& v) { return std::isfinite(v.x) && std::isfinite(v.y); }
+
+}  // namespace
+
+void Editor::setDecimalMark(char mark) {
+  State& s = *state_;
+  assert(mark == '.' || mark == ',');
+  if (s.decimalMark == mark) return;
+  s.finishEdits();
+  s.decimalMark = mark;
+  if (!s.loaded) return;
+  s.takeModel(std::move(s.model));
+  s.placeAnew();
+}
+
+Result<double> Editor::parseValue(std::size_t parameter, std::string_view text) const {
+  return readValueText(state_->model.parameters()[parameter], text);
+}
+
+std::string Editor::inputText(std::size_t parameter) const {
+  return dimline::inputText(state_->model.parameters()[parameter], state_->values.at(parameter));
+}
+
+void Editor::resetParameter(std::size_t parameter) {
+  const std::pair<std::size_t, double> change{parameter, state_->model.parameters()[parameter].defaultValue};
+  setValues(std::span(&change, 1));
+}
+
+std::vector<Editor::MeasureReading> Editor::measures() const {
+  const State& s = *state_;
+  std::vector<MeasureReading> readings;
+  for (std::size_t i = 0; i < s.model.definition.measures.size(); ++i) {
+    const Parameter& shown = s.model.definition.measures[i].shown;
+    const double value = measuredValue(s.model, i, s.values, s.scene);
+    readings.push_back({&shown, value, formatValue(shown, value)});
+  }
+  return readings;
+}
+
+void Editor::setMeasuresShown(bool shown) {
+  State& s = *state_;
+  if (s.measuresShown == shown) return;
+  s.finishEdits();
+  s.measuresShown = shown;
+  if (s.loaded) s.placeAnew();
+}
+bool Editor::measuresShown() const { return state_->measuresShown; }
+const Model& Editor::placedModel() const { return state_->placedModel(); }
+
+/// Lines of the same scene have to be placed again, since what they say or which there are has changed.
+void Editor::State::placeAnew() {
+  if (sceneStale) return;  // it is about to be rebuilt
+  if (measuresShown) valuesWithMeasures = withMeasures(model, values, scene);
+  placer.setScene(placedModel(), scene);
+  viewStale = true;
+}
+
+std::optional<Editor::Gesture> Editor::gesture() const {
+  const State& s = *state_;
+  if (!s.drag) return std::nullopt;
+  Gesture gesture;
+  gesture.parameter = s.drag->parameter();
+  gesture.arc = s.drag->arc() != nullptr;
+  gesture.value = s.values.at(gesture.parameter);
+  const Parameter& parameter = s.model.parameters()[gesture.parameter];
+  gesture.text = formatValue(parameter, gesture.value);
+  gesture.difference = differenceText(parameter, s.drag->startValues().at(gesture.parameter), gesture.value);
+  if (gesture.value == clampValue(parameter, parameter.max)) gesture.limit = Gesture::Limit::kMax;
+  if (gesture.value == clampValue(parameter, parameter.min)) gesture.limit = Gesture::Limit::kMin;
+  gesture.pointer = s.dragPointerKind;
+  gesture.snap = static_cast<DragSnap>(s.dragSnap);
+  for (std::size_t i = 0; i < s.drawn.lines.size(); ++i) {
+    if (!s.drag->line() || !s.lineStates[i].dragged) continue;
+    const Segment2& line = s.drawn.lines[i].lineScreen;
+    const bool atEnd = s.drag->line()->atEnd();
+    gesture.handle = atEnd ? line.end : line.start;
+    const Vec2 outward = atEnd ? line.end - line.start : line.start - line.end;
+    if (glm::length(outward) > 0) gesture.direction = glm::normalize(outward);
+  }
+  for (const PlacedHandle& handle : s.drawn.others) {
+    if (!gesture.arc || handle.parameter != gesture.parameter || !handle.arc) continue;
+    const Vec2 tip = s.drawn.view.toScreen(handle.arc->at(handle.arc->angleRad));
+    const Vec2 onward = s.drawn.view.toScreen(handle.arc->at(handle.arc->angleRad + 0.01)) - tip;
+    gesture.handle = tip;
+    if (glm::length(onward) > 0) gesture.direction = glm::normalize(onward);
+  }
+  return gesture;
+}
+
+std::optional<std::size_t> Editor::parameterAt(const Vec2& screen, PointerKind kind) const {
+  const State& s = *state_;
+  if (!finite(screen)) return std::nullopt;
+  if (const auto grip = s.gripAt({.kind = kind, .screen = screen})) return s.keyOf(*grip).parameter;
+  for (const PlacedLine& line : s.drawn.lines) {
+    if (line.label && line.parameter < s.model.parameters().size() && line.label->grown(kLabelReachPx).overlaps({screen, screen})) return line.parameter;
+  }
+  for (const PlacedHandle& handle : s.drawn.others) {
+    if (handle.box.grown(kLabelReachPx).overlaps({screen, screen})) return handle.parameter;
+  }
+  return std::nullopt;
+}
+
+void Editor::setHiddenShown(bool shown) {
+  State& s = *state_;
+  if (s.hiddenShown == shown) return;
+  s.hiddenShown = shown;
+  if (shown && s.loaded && s.hasSize()) {
+    s.beforeHidden = {s.placer.memory(), s.values, s.currentView().viewProjection()};
+  } else if (!shown && s.loaded && s.hasSize() && s.beforeHidden.values == s.values && s.beforeHidden.viewProjection == s.currentView().viewProjection() && !s.drag) {
+    s.recall = s.beforeHidden.memory;
+  }
+  s.placer.showHidden(shown);
+  s.viewStale = true;
+}
+bool Editor::hiddenShown() const { return state_->hiddenShown; }
+
+}  // namespace dimline
