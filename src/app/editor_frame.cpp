@@ -130,6 +130,15 @@ void Editor::State::holdMember(const PlacedLine& held) {
   const auto isHeld = [&](const PlacedLine& line) {
     return line.parameter == held.parameter && line.scope == held.scope;
   };
+  // Where the number of members has changed, the held one lies across its fellows; those that it covers give way.
+  const Vec3 along = glm::normalize(held.line.end - held.line.start);
+  const double tolerance = kSamePlaneDistance * scene.bounds.diagonal();
+  std::erase_if(placed.lines, [&](const PlacedLine& line) {
+    if (line.parameter != held.parameter || isHeld(line)) return false;
+    const double from = glm::dot(line.line.start - held.line.start, along);
+    const double to = glm::dot(line.line.end - held.line.start, along);
+    return std::min(from, to) < held.line.length() - tolerance && std::max(from, to) > tolerance;
+  });
   const auto found = std::ranges::find_if(placed.lines, isHeld);
   if (found != placed.lines.end()) {
     *found = held;

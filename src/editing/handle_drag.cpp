@@ -38,6 +38,14 @@ ScreenMotion screenMotion(const View& view, const Vec3& start, const Vec3& direc
   return motion;
 }
 
+/// m. Farther than anything in a model.
+constexpr double kElsewhereM = 1e9;
+
+bool parallel(const Segment& segment, const Vec3& direction) {
+  const Vec3 along = segment.end - segment.start;
+  return glm::length(glm::cross(along, direction)) <= kSamePlaneAngleRad * glm::length(along);
+}
+
 /// Metres that the end moves when the value grows by one, as far as the length tells.
 double expectedSlope(const Parameter& parameter, const PlacedLine& line, double value, bool atEnd) {
   const double outward = atEnd ? 1.0 : -1.0;
@@ -158,14 +166,23 @@ std::optional<HandleDrag::Tracked> HandleDrag::track(const Scene& scene) const {
     if (count == scopeCount_ && scope.index != scopeIndex_) continue;
     for (const BaseLine& candidate : baseLines(annotation(), scope.box, startView_)) {
       if (candidate.number != baseLine_) continue;
-      const double distanceM = glm::length(endOf(candidate.segment) - endOf(line_.base));
+      double distanceM = glm::length(endOf(candidate.segment) - endOf(line_.base));
+      // Round the corner of a building the same rule repeats something else.
+      if (!parallel(candidate.segment, direction_)) distanceM += kElsewhereM;
       if (distanceM < nearestM) {
         nearestM = distanceM;
         nearest = Tracked{i, candidate.segment};
       }
     }
   }
+  if (nearest && count != scopeCount_) nearest->base = keptInPlace(nearest->base);
   return nearest;
+}
+
+/// A base line of the same length and direction, of which the end that is not dragged is where it was.
+Segment HandleDrag::keptInPlace(const Segment& base) const {
+  const Vec3 along = base.end - base.start;
+  return atEnd_ ? Segment{line_.base.start, line_.base.start + along} : Segment{line_.base.end - along, line_.base.end};
 }
 
 std::optional<PlacedLine> HandleDrag::lineOn(const Scene& scene, const Values& values, const View& view) const {
@@ -176,12 +193,10 @@ std::optional<PlacedLine> HandleDrag::lineOn(const Scene& scene, const Values& v
   line.base = tracked->base;
   line.lengthM = tracked->base.length();
 
-  const Vec3 along = tracked->base.end - tracked->base.start;
   const Vec3& carrier = line_.line.start;
-  const bool parallel = glm::length(glm::cross(along, direction_)) <= kSamePlaneAngleRad * glm::length(along);
   if (line_.placement == PlacementKind::kInside) {
     line.line = tracked->base;
-  } else if (parallel) {
+  } else if (parallel(tracked->base, direction_)) {
     line.line.start = carrier + direction_ * glm::dot(tracked->base.start - carrier, direction_);
     line.line.end = carrier + direction_ * glm::dot(tracked->base.end - carrier, direction_);
   } else {

@@ -19,8 +19,10 @@ namespace dimline {
 /// distance to the pointer.
 ///
 /// During the drag the line stays on its carrier, the line in the world on which it lay, whatever the model does; only
-/// its ends move. The scope it measures is the same one as long as the model has as many of that name; when their
-/// number changes it is the one whose dragged end is nearest to where the drag began (the paper's rule).
+/// its ends move. The scope it measures is the same one as long as the model has as many of that name. When their number
+/// changes, as where a spacing is rounded to fit a wall, it is the one whose dragged end is nearest to where the drag began
+/// (the paper's rule), and the line takes its length alone: its other end stays where it was. So the handle follows the
+/// pointer, where the ends of whichever scope is nearest would go to and fro.
 class HandleDrag {
 public:
   /// Takes hold of a handle of `line`, as drawn in `view`, with the pointer at `pointer` (px). `model` must outlive the
@@ -62,6 +64,7 @@ private:
   void findMeasured(const Scene& scene);
   [[nodiscard]] std::size_t countScopes(const Scene& scene) const;
   [[nodiscard]] std::optional<Tracked> track(const Scene& scene) const;
+  [[nodiscard]] Segment keptInPlace(const Segment& base) const;
   [[nodiscard]] std::optional<double> endAt(double value) const;
   [[nodiscard]] double targetM(const Vec2& screen, const View& view) const;
   [[nodiscard]] const Vec3& endOf(const Segment& segment) const { return atEnd_ ? segment.end : segment.start; }

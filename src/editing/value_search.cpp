@@ -25,6 +25,9 @@ constexpr std::size_t kMaxKnown = 4096;
 /// here.
 constexpr double kProbeShare = 0.125;
 
+/// Where on the way to the probe it is looked whether the rule is straight: no simple fraction, which a rounded rule might meet.
+constexpr double kBetweenShare = 0.618;
+
 constexpr double kMostSteps = 1e9;
 
 }  // namespace
@@ -32,6 +35,7 @@ constexpr double kMostSteps = 1e9;
 ValueSearch::ValueSearch(const Parameter& parameter, double startValue, double expectedSlope, double toleranceM)
     : parameter_(parameter),
       startValue_(startValue),
+      expectedSlope_(expectedSlope),
       slope_(expectedSlope),
       toleranceM_(toleranceM),
       min_(clampValue(parameter, -std::numeric_limits<double>::max())),
@@ -76,7 +80,34 @@ double ValueSearch::find(double targetM, const Reach& reach) {
     if (!next) break;
     step = *next;
   }
-  return best;
+  return settled(best, target, reach);
+}
+
+/// Of all values that end where this one does, always the same one: the one that the length at that place suggests, or else
+/// the nearest to that.
+double ValueSearch::settled(double value, double targetM, const Reach& reach) {
+  if (straight_ || value == startValue_) return value;
+  const double endM = tryValue(value, reach).value_or(0.0);
+  const auto endsThere = [&](double other) {
+    const auto end = tryValue(other, reach);
+    return end && std::abs(*end - endM) <= 1e-3 * toleranceM_;
+  };
+  // Whoever pulls further than a limit means the limit.
+  const double beyondM = (slope_ > 0 ? 1.0 : -1.0) * (targetM - endM);
+  const double limit = beyondM > 0 ? max_ : min_;
+  if (value == limit || (std::abs(beyondM) > toleranceM_ && endsThere(limit))) return limit;
+  const double suggested = std::abs(endM) <= toleranceM_ ? startValue_ : snapValue(parameter_, startValue_ + endM / expectedSlope_);
+  if (suggested == value) return value;
+  if (endsThere(suggested)) return suggested;
+  double inside = std::round((value - min_) / stepSize_);
+  double outside = std::round((suggested - min_) / stepSize_);
+  const double neighbour = inside + (outside > inside ? 1.0 : -1.0);
+  if (neighbour == outside || !endsThere(valueOfStep(neighbour))) return value;
+  for (inside = neighbour; std::abs(outside - inside) > 1.0;) {
+    const double middle = std::round(0.5 * (inside + outside));
+    (endsThere(valueOfStep(middle)) ? inside : outside) = middle;
+  }
+  return valueOfStep(inside);
 }
 
 /// The step to try after these, or nothing when none lies between them.
@@ -113,6 +144,8 @@ void ValueSearch::measureSlope(const Reach& reach) {
     const double slope = *end / (probe - startValue_);
     if (std::abs(slope) < 1e-3 * std::abs(expected) || !std::isfinite(slope)) continue;
     slope_ = slope;
+    const double between = snapValue(parameter_, startValue_ + kBetweenShare * sense * width);
+    if (const auto at = tryValue(between, reach)) straight_ = std::abs(*at - slope * (between - startValue_)) <= toleranceM_;
     break;
   }
   chooseStep();

@@ -21,7 +21,8 @@ using Reach = std::function<std::optional<double>(double value)>;
 /// value of the start. Tried are values on the parameter's steps, its limits and the value of the start; a parameter
 /// without steps gets decimal ones finer than a quarter pixel. Growth on both sides, steps, rounding and kinks cost
 /// tries, not correctness; where several values end equally near, the one that arithmetic on the length suggests is
-/// taken.
+/// taken. Where a rule is rounded and a whole stretch of values ends at the same place, that is one and the same value for
+/// all targets nearest to there, so that what nobody sees change is not said to change.
 class ValueSearch {
 public:
   /// `expectedSlope`: metres that the end is expected to move when the value grows by one, not 0; measured as soon as a
@@ -46,18 +47,21 @@ private:
 
   void measureSlope(const Reach& reach);
   void chooseStep();
+  double settled(double value, double targetM, const Reach& reach);
   [[nodiscard]] double valueOfStep(double step) const;
   std::optional<double> tryValue(double value, const Reach& reach);
   [[nodiscard]] std::optional<double> nextStep(const Bracket& bracket, int round) const;
 
   Parameter parameter_;
   double startValue_;
-  double slope_;
+  double expectedSlope_;
+  double slope_;  ///< as measured
   double toleranceM_;
   double min_ = 0, max_ = 0;
   double stepSize_ = 0;
   double lastStep_ = 0;  ///< number of the step at max_
   bool measured_ = false;
+  bool straight_ = false;  ///< the end moves in proportion to the value, as far as was seen
   int evaluations_ = 0;
   std::vector<std::pair<double, std::optional<double>>> known_;  ///< value and where it ends, sorted by value
 };

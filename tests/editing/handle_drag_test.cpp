@@ -201,7 +201,7 @@ TEST_CASE("a spacing that the model rounds takes the count that comes nearest to
   REQUIRE(tilesAt(-45) == 5);  // 2.05 m: five of 2
 }
 
-TEST_CASE("when the number of scopes changes, the line goes to the one nearest to where the drag began") {
+TEST_CASE("when the number of scopes changes, the line takes its length from the one nearest to where the drag began, and keeps its other end") {
   const Desk desk(row(), frontCamera());
   const PlacedLine line = desk.line("Spacing", 0, {0, -0.6, 0}, 2);  // 0 to 2.5
   auto drag = desk.grab(line, true, {0, 0});
@@ -209,8 +209,26 @@ TEST_CASE("when the number of scopes changes, the line goes to the one nearest t
   values.set(0, 2.0);  // five tiles of 2 m; their right ends are at -3, -1, 1, 3 and 5
   const auto dragged = drag->lineOn(desk.sceneAt(0, 2.0), values, desk.view);
   REQUIRE(dragged);
-  REQUIRE(dragged->base.end.x == Approx(3));
-  REQUIRE(dragged->base.start.x == Approx(1));
+  REQUIRE(desk.sceneAt(0, 2.0).scopes[dragged->scope].index == 3);
+  REQUIRE(dragged->base.start.x == Approx(0).margin(1e-12));
+  REQUIRE(dragged->base.end.x == Approx(2));
+}
+
+TEST_CASE("a repeated thing's line gets longer as the pointer goes out, whichever of them it measures") {
+  const Desk desk(row(), frontCamera());
+  for (const std::uint32_t index : {0U, 1U, 2U, 3U}) {
+    const PlacedLine line = desk.line("Spacing", 0, {0, -0.6, 0}, index);
+    auto drag = desk.grab(line, true, {0, 0});
+    double last = 0;
+    for (double travelPx = -200; travelPx <= 200; travelPx += 10) {
+      Values values = desk.values;
+      values.set(0, drag->valueAt(line.lineScreen.end + Vec2(travelPx, 0), desk.view));
+      const auto dragged = drag->lineOn(desk.sceneAt(0, values.at(0)), values, desk.view);
+      INFO("tile " << index << ", " << travelPx << " px");
+      REQUIRE(dragged->lengthM >= last);
+      last = dragged->lengthM;
+    }
+  }
 }
 
 TEST_CASE("a dragged line keeps its carrier when its scope moves away from it") {
