@@ -1,10 +1,12 @@
-// Opens the page in headless Chromium with software WebGL, and keeps what it complains of.
+// Opens the page in headless Chromium with software WebGL, and keeps what it complains of. The software is Mesa's, which draws a
+// frame several times faster than the SwiftShader that comes with Chromium.
 import assert from "node:assert/strict";
 import { chromium } from "playwright-core";
 
 const kChromiumArguments = [
-  "--use-angle=swiftshader",
-  "--enable-unsafe-swiftshader",
+  "--use-gl=angle",
+  "--use-angle=gl-egl",
+  "--ignore-gpu-blocklist",
   "--no-sandbox",
   "--disable-dev-shm-usage",
   "--disable-quic",
@@ -30,6 +32,8 @@ export async function launch(moreArguments = []) {
   return chromium.launch({
     executablePath: process.env.DIMLINE_CHROMIUM || "/usr/bin/chromium",
     args: [...kChromiumArguments, ...moreArguments],
+    // Where there is a graphics card as well, the picture is the same as where there is none.
+    env: { ...process.env, LIBGL_ALWAYS_SOFTWARE: "1" },
   });
 }
 
