@@ -1,17 +1,14 @@
+import { CanvasSize } from "./canvas_size.js";
 import { createCore } from "./core.js";
+import { make } from "./dom.js";
+import { commandOf } from "./editor_keys.js";
 import { kEditorCss } from "./editor_style.js";
 import { fetchGltf, isGltfUrl } from "./gltf_files.js";
-import { LabelLayer } from "./label_layer.js";
-import { PillLayer } from "./pill_layer.js";
+import { makeContext, watchContext } from "./graphics_context.js";
+import { loadLabelFont } from "./label_font.js";
+import { decimalMark } from "./numbers.js";
+import { Overlay } from "./overlay.js";
 import { PointerInput } from "./pointer_input.js";
-
-const kLabelFont = "Dimline Label";
-const kLabelFontUrl = new URL("./assets/fonts/barlow-500.woff2", import.meta.url).href;
-
-// How long a lost graphics context may stay away before the visitor is told.
-const kContextPatienceMs = 4000;
-
-const kViewKeys = { 0: "three-quarter", 1: "front", 3: "right", 7: "top" };
 
 // In node there is no DOM: the module can be imported there, and the element not be made.
 const Base = globalThis.HTMLElement ?? class {};
@@ -24,6 +21,7 @@ const Base = globalThis.HTMLElement ?? class {};
  *
  * Attributes, each with a property of the same meaning:
  * - `model`: the name of a built-in model, or the URL of a .gltf or .glb
+ * - `lang`: the language in whose manner numbers are written, as in "9,40 m"; the visitor's own by default
  * - `core-url` (`coreUrl`): where dimline.js lies, when not in build/ beside this file; read when the element enters a document
  *
  * Events; all bubble and leave the shadow tree:
@@ -32,7 +30,7 @@ const Base = globalThis.HTMLElement ?? class {};
  * - `camera-change`
  */
 export class DimlineEditor extends Base {
-  static observedAttributes = ["model"];
+  static observedAttributes = ["model", "lang"];
 
   #root;
   #internals;
@@ -42,15 +40,15 @@ export class DimlineEditor extends Base {
   #loading = null; // AbortController of the model under way
   #hasModel = false;
   #input = null;
-  #labels = null;
-  #pills = null;
+  #overlay = null;
+  #peeking = false; // the key that shows hidden lines is down
+  #hiddenShown = false;
+  #mark = ".";
   #ready = null; // {promise, resolve, reject}
   #settling = []; // who waits in settled()
   #frameRequest = 0;
   #lastFrameMs = 0;
-  #deviceSize = null; // [width, height] in device pixels
-  #drawnSize = "";
-  #contextTimer = 0;
+  #size = null; // CanvasSize
   #attempt = 0;
   #error = null;
 
@@ -186,12 +184,54 @@ export class DimlineEditor extends Base {
    * @returns {boolean} whether the key meant something; the event's default is prevented then
    */
   handleKey(event) {
-    if (!this.#core || event.defaultPrevented || event.altKey) return false;
-    const command = event.ctrlKey || event.metaKey ? this.#chord(event) : this.#plainKey(event);
+    if (!this.#core || event.defaultPrevented) return false;
+    const command = commandOf(event, this, () => this.#peek(true));
     if (!command) return false;
     event.preventDefault();
     command();
     return true;
+  }
+
+  /** Whether lines that are hidden for want of room, or because their feature is, are shown too. */
+  get hiddenShown() {
+    return this.#hiddenShown;
+  }
+  set hiddenShown(on) {
+    this.#hiddenShown = Boolean(on);
+    this.#showHidden();
+  }
+
+  /** What follows from the parameters and is measured, not set: [{name, title, help, unit, value, text}]. */
+  getMeasures() {
+    return this.#need().measures();
+  }
+
+  /** Whether measures are shown in the picture, as lines without handles. */
+  get measuresShown() {
+    return this.#core?.measuresShown ?? false;
+  }
+  set measuresShown(on) {
+    this.#act((core) => (core.measuresShown = Boolean(on)));
+  }
+
+  /** The mark between whole numbers and fractions: "." or ",". */
+  get decimalMark() {
+    return this.#mark;
+  }
+
+  /** The number that a visitor means by a text such as 10'6" or 3*1.2m, in the parameter's unit; throws an Error for the visitor. */
+  parseValue(name, text) {
+    return this.#need().parseValue(name, text);
+  }
+
+  /** Null, or the drag of a handle that is under way: see Core.gesture(). */
+  get gesture() {
+    return this.#core?.gesture() ?? null;
+  }
+
+  /** Back to its default, as one undo step. */
+  resetParameter(name) {
+    this.#act((core) => core.resetParameter(name));
   }
 
   // --- For tests and measurements ---
@@ -225,14 +265,16 @@ export class DimlineEditor extends Base {
   }
 
   attributeChangedCallback(name) {
-    if (name === "model" && this.#core) this.#loadModel();
+    if (!this.#core) return;
+    if (name === "model") this.#loadModel();
+    else this.#act(() => this.#applyLanguage());
   }
 
   async #start() {
     const listening = (this.#listening = new AbortController());
     this.#build(listening.signal);
     try {
-      const gl = this.#makeContext();
+      const gl = makeContext(this.#parts.canvas);
       const font = loadLabelFont();
       const url = this.#coreAddress();
       const core = await createCore(url ? { url } : {});
@@ -244,8 +286,16 @@ export class DimlineEditor extends Base {
       core.attachContext(gl);
       await font;
       if (listening.signal.aborted) return;
-      this.#watchSize(listening.signal);
+      this.#size = new CanvasSize(
+        this.#parts.stage,
+        this.#parts.canvas,
+        { resized: () => this.#drawNow(), stale: () => this.#requestFrame() },
+        listening.signal,
+      );
       this.#watchMotion(listening.signal);
+      this.#applyLanguage();
+      this.#showHidden();
+      window.addEventListener("languagechange", () => this.#guard(() => this.#applyLanguage()), listening);
       if (this.model) await this.#loadModel();
       this.#drawNow();
       if (!listening.signal.aborted) this.#ready.resolve();
@@ -264,64 +314,46 @@ export class DimlineEditor extends Base {
   }
 
   #build(signal) {
-    const make = (tag, className, ...children) => {
-      const node = document.createElement(tag);
-      if (className) node.className = className;
-      node.append(...children);
-      return node;
-    };
-    const canvas = make("canvas");
-    canvas.tabIndex = 0;
-    canvas.setAttribute("role", "img");
-    canvas.setAttribute("aria-label", "3D view. Drag to turn it, use the wheel to zoom, press F to fit.");
-    canvas.setAttribute("part", "canvas");
-    const labels = make("div", "labels");
-    const pills = make("div", "pills");
-    const tip = make("div", "tip");
-    tip.setAttribute("aria-hidden", "true");
-    const stage = make("div", "stage", canvas, make("div", "ring"), labels, pills, tip);
-    const text = make("p", "heading");
+    const canvas = make("canvas", {
+      tabindex: "0",
+      role: "img",
+      "aria-label": "3D view. Drag to turn it, use the wheel to zoom, press F to fit.",
+      part: "canvas",
+    });
+    const stage = make("div", { class: "stage" }, canvas, make("div", { class: "ring" }));
+    const text = make("p", { class: "heading" });
     const why = make("p");
-    const retry = make("button", "", "Try again");
-    retry.type = "button";
-    const message = make("div", "message", text, why, retry);
-    message.setAttribute("role", "alert");
-    message.hidden = true;
+    const retry = make("button", { type: "button" }, "Try again");
+    const message = make("div", { class: "message", role: "alert", hidden: true }, text, why, retry);
     this.#root.replaceChildren(stage, message);
     this.#parts = { canvas, stage, message, text, why, retry };
 
     const host = {
       core: () => this.#core,
+      act: (call) => this.#act(call),
       changed: () => this.#requestFrame(),
       guard: (call) => this.#guard(call),
-      adjust: (name, value) => this.setParameterContinuous(name, value),
-      endAdjusting: () => this.#core && this.endContinuous(),
-      set: (name, value) => this.setParameters({ [name]: value }),
+      cursorAt: (x, y, onHandle) => this.#overlay.cursorAt(x, y, onHandle),
+      tapped: (tap) => this.#overlay.tapped(tap),
+      doubleTapped: (tap) => this.#overlay.doubleTapped(tap),
     };
     this.#input = new PointerInput(stage, canvas, host, signal);
-    this.#labels = new LabelLayer(labels, tip, host, signal);
-    this.#pills = new PillLayer(pills, host, signal);
+    this.#overlay = new Overlay(stage, host, signal);
     this.addEventListener("keydown", (event) => this.handleKey(event), { signal });
-    canvas.addEventListener("webglcontextlost", (event) => this.#contextLost(event), { signal });
-    canvas.addEventListener("webglcontextrestored", () => this.#contextRestored(), { signal });
+    const endPeeking = (event) => (event.type === "blur" || event.key.toLowerCase() === "h") && this.#peek(false);
+    window.addEventListener("keyup", endPeeking, { signal, capture: true });
+    window.addEventListener("blur", endPeeking, { signal });
+    watchContext(
+      canvas,
+      {
+        lost: () => this.#guard(() => this.#core?.contextLost()),
+        missed: () =>
+          this.#showMessage("The picture is gone.", "The graphics device went away and has not come back.", true),
+        restored: () => this.#contextRestored(),
+      },
+      signal,
+    );
     retry.addEventListener("click", () => this.#restart(), { signal });
-  }
-
-  #makeContext() {
-    // The renderer multisamples by itself and copies the finished picture here.
-    const gl = this.#parts.canvas.getContext("webgl2", {
-      alpha: false,
-      antialias: false,
-      depth: false,
-      stencil: false,
-      powerPreference: "high-performance",
-    });
-    if (!gl) {
-      throw new Error(
-        "This browser offers no WebGL 2, which the picture needs. A current browser with hardware acceleration switched on has it.",
-      );
-    }
-    return gl;
   }
 
   #dispose() {
@@ -331,16 +363,15 @@ export class DimlineEditor extends Base {
     listening.abort();
     this.#loading?.abort();
     cancelAnimationFrame(this.#frameRequest);
-    clearTimeout(this.#contextTimer);
     this.#frameRequest = 0;
     this.#core?.dispose();
     this.#core = null;
     // Browsers allow a page a few contexts only: this one is given back now, not when memory is next cleaned up.
     this.#parts.canvas.getContext("webgl2")?.getExtension("WEBGL_lose_context")?.loseContext();
     this.#root.replaceChildren();
-    this.#parts = this.#input = this.#labels = this.#pills = null;
-    this.#deviceSize = null;
-    this.#drawnSize = "";
+    this.#parts = this.#input = this.#overlay = null;
+    this.#peeking = false;
+    this.#size = null;
     this.#hasModel = false;
     this.#error = null;
     const gone = new Error("The editor left the document.");
@@ -370,6 +401,7 @@ export class DimlineEditor extends Base {
       }
       this.#hasModel = true;
       this.#input.reset();
+      this.#overlay.clear();
       this.#showMessage(null);
       this.#requestFrame();
     } catch (error) {
@@ -382,48 +414,6 @@ export class DimlineEditor extends Base {
     }
   }
 
-  // --- Size ---
-
-  #watchSize(signal) {
-    const { stage } = this.#parts;
-    const measure = (entry) => {
-      const rounded = [
-        Math.round(stage.clientWidth * devicePixelRatio),
-        Math.round(stage.clientHeight * devicePixelRatio),
-      ];
-      const box = entry?.devicePixelContentBoxSize?.[0];
-      const exact = box ? [box.inlineSize, box.blockSize] : rounded;
-      // A browser that plays another device reports the pixels of the real one here.
-      const sound = exact.every((size, i) => Math.abs(size - rounded[i]) <= Math.ceil(devicePixelRatio));
-      this.#deviceSize = sound ? exact : rounded;
-    };
-    const observer = new ResizeObserver((entries) => {
-      measure(entries.at(-1));
-      // Before this frame is shown, or the emptied canvas would flash.
-      this.#drawNow();
-    });
-    try {
-      observer.observe(stage, { box: "device-pixel-content-box" });
-    } catch {
-      observer.observe(stage);
-    }
-    signal.addEventListener("abort", () => observer.disconnect());
-    const watchRatio = () => {
-      const query = matchMedia(`(resolution: ${devicePixelRatio}dppx)`);
-      query.addEventListener(
-        "change",
-        () => {
-          measure(null);
-          this.#requestFrame();
-          watchRatio();
-        },
-        { once: true, signal },
-      );
-    };
-    watchRatio();
-    measure(null);
-  }
-
   #watchMotion(signal) {
     const query = matchMedia("(prefers-reduced-motion: reduce)");
     const tell = () => this.#core && (this.#core.reducedMotion = query.matches);
@@ -431,27 +421,10 @@ export class DimlineEditor extends Base {
     tell();
   }
 
-  // The canvas has exactly as many pixels as the screen shows; the core is told the CSS size that goes with them.
-  #applySize() {
-    const { canvas } = this.#parts;
-    const gl = canvas.getContext("webgl2");
-    let [width, height] = this.#deviceSize;
-    let ratio = devicePixelRatio;
-    const limit = gl.getParameter(gl.MAX_RENDERBUFFER_SIZE) || 4096;
-    const shrink = Math.max(1, width / limit, height / limit);
-    if (shrink > 1) [width, height, ratio] = [Math.floor(width / shrink), Math.floor(height / shrink), ratio / shrink];
-    const size = `${width} ${height} ${ratio}`;
-    if (size === this.#drawnSize) return;
-    this.#drawnSize = size;
-    canvas.width = width;
-    canvas.height = height;
-    this.#core.resize(width / ratio, height / ratio, ratio);
-  }
-
   // --- Frames ---
 
   #requestFrame() {
-    if (this.#frameRequest || !this.#core || !this.#deviceSize) return;
+    if (this.#frameRequest || !this.#core || !this.#size) return;
     this.#frameRequest = requestAnimationFrame((nowMs) => {
       this.#frameRequest = 0;
       this.#frame(nowMs);
@@ -459,21 +432,21 @@ export class DimlineEditor extends Base {
   }
 
   #drawNow() {
-    if (this.#core && this.#deviceSize) this.#frame(performance.now());
+    if (this.#core && this.#size) this.#frame(performance.now());
   }
 
   #frame(nowMs) {
     this.#guard(() => {
       // A frame drawn out of turn may bear a later time than the browser's next one.
       this.#lastFrameMs = nowMs = Math.max(nowMs, this.#lastFrameMs);
-      this.#applySize();
+      const gl = this.#parts.canvas.getContext("webgl2");
+      this.#size.apply(gl, (width, height, ratio) => this.#core.resize(width, height, ratio));
       const more = this.#core.frame(nowMs);
       if (this.#hasModel) this.#parts.canvas.toggleAttribute("data-drawn", true);
       const rests = !more && this.#core.atRest;
       const events = this.#core.takeEvents();
       if (events.some((type) => type !== "camera-change")) this.#describe();
-      this.#pills.update(this.#core.pills(), devicePixelRatio);
-      this.#labels.update(this.#core.labels(), devicePixelRatio, this.#input.last, this.#pills.hovered);
+      this.#overlay.update(this.#core, this.#input, rests);
       if (rests) for (const waiting of this.#settling.splice(0)) waiting.resolve();
       if (more || this.#settling.length > 0) this.#requestFrame();
       for (const type of events) this.dispatchEvent(new Event(type, { bubbles: true, composed: true }));
@@ -481,46 +454,38 @@ export class DimlineEditor extends Base {
   }
 
   #describe() {
-    const parameters = this.#core.parameters();
-    this.#labels.setParameters(parameters);
-    this.#pills.setParameters(parameters);
+    this.#overlay.describe(this.#core.parameters(), this.#core.measures(), this.#mark);
     const title = this.#core.models().find((model) => model.name === this.model)?.title ?? this.model;
     this.#internals.ariaLabel = `${title}, with dimension lines`;
   }
 
-  // --- Context ---
+  // --- What is shown, and in whose manner ---
 
-  #contextLost(event) {
-    event.preventDefault(); // or it is never restored
-    this.#guard(() => this.#core?.contextLost());
-    this.#contextTimer = setTimeout(() => {
-      this.#showMessage("The picture is gone.", "The graphics device went away and has not come back.", true);
-    }, kContextPatienceMs);
+  #peek(on) {
+    if (this.#peeking === on) return;
+    this.#peeking = on;
+    this.#showHidden();
   }
 
+  #showHidden() {
+    if (this.#core) this.#act((core) => (core.hiddenShown = this.#peeking || this.#hiddenShown));
+  }
+
+  #applyLanguage() {
+    this.#mark = decimalMark(this.lang ? [this.lang] : navigator.languages);
+    this.#core.setNumberFormat({ decimal: this.#mark });
+    if (this.#hasModel) this.#describe();
+    this.#requestFrame();
+  }
+
+  // --- Context ---
+
   #contextRestored() {
-    clearTimeout(this.#contextTimer);
     this.#guard(() => {
       this.#core?.attachContext(this.#parts.canvas.getContext("webgl2"));
       this.#showMessage(null);
       this.#requestFrame();
     });
-  }
-
-  // --- Keys ---
-
-  #plainKey(event) {
-    if (event.key.toLowerCase() === "f" && !event.shiftKey) return () => this.fitToView();
-    if (event.key === "5") return () => (this.orthographic = !this.orthographic);
-    const view = kViewKeys[event.key];
-    return view && (() => this.setView(view));
-  }
-
-  #chord(event) {
-    const key = event.key.toLowerCase();
-    if (key === "z") return event.shiftKey ? () => this.redo() : () => this.undo();
-    if (key === "y") return () => this.redo();
-    return null;
   }
 
   // --- Errors ---
@@ -585,19 +550,6 @@ function makeReady() {
   ready.promise = new Promise((resolve, reject) => Object.assign(ready, { resolve, reject }));
   ready.promise.catch(() => {}); // whoever awaits it hears of it; nobody has to
   return ready;
-}
-
-// The layout measures text by the font's advance table, so that very font is loaded before the first label shows. It is added to
-// the document because a shadow tree's own @font-face rules count for nothing.
-async function loadLabelFont() {
-  const known = [...document.fonts].find((face) => face.family.replaceAll('"', "") === kLabelFont);
-  const face = known ?? new FontFace(kLabelFont, `url("${kLabelFontUrl}") format("woff2")`, { weight: "500" });
-  if (!known) document.fonts.add(face);
-  try {
-    await face.load();
-  } catch (error) {
-    console.warn(`The label font could not be loaded from ${kLabelFontUrl}; labels are shown in another one.`, error);
-  }
 }
 
 if (globalThis.customElements && !customElements.get("dimline-editor")) {

@@ -27,7 +27,12 @@ export const kEditorCss = `
   user-select: none;
 }
 .stage[data-cursor="handle"] { cursor: grab; }
-.stage[data-cursor="handle-held"], .stage[data-cursor="camera-held"] { cursor: grabbing; }
+.stage[data-cursor="camera-held"] { cursor: grabbing; }
+.stage[data-cursor="text"] { cursor: text; }
+.stage[data-cursor="ew"] { cursor: ew-resize; }
+.stage[data-cursor="ns"] { cursor: ns-resize; }
+.stage[data-cursor="nesw"] { cursor: nesw-resize; }
+.stage[data-cursor="nwse"] { cursor: nwse-resize; }
 
 canvas {
   position: absolute;
@@ -49,8 +54,9 @@ canvas:focus-visible + .ring { opacity: 1; }
   pointer-events: none;
 }
 
+.handles { position: absolute; inset: 0; pointer-events: none; }
+
 /* A label's box is the layout's: advance width by line height, without kerning, so that both agree to a fraction of a pixel. */
-.labels { position: absolute; inset: 0; pointer-events: none; }
 .label {
   position: absolute;
   left: 0;
@@ -64,21 +70,30 @@ canvas:focus-visible + .ring { opacity: 1; }
   text-shadow: 0 0 2px var(--dimline-halo), 1.5px 0 var(--dimline-halo), -1.5px 0 var(--dimline-halo),
     0 1.5px var(--dimline-halo), 0 -1.5px var(--dimline-halo), 1px 1px var(--dimline-halo), -1px 1px var(--dimline-halo),
     1px -1px var(--dimline-halo), -1px -1px var(--dimline-halo), 0 0 5px var(--dimline-halo);
-  -webkit-user-select: all;
-  user-select: all;
-  pointer-events: auto;
   cursor: inherit;
   border-radius: 2px;
   outline: none;
 }
-.label:focus-visible { outline: 2px solid var(--dimline-accent); outline-offset: 4px; }
+.label[role="slider"], .label[aria-hidden] { pointer-events: auto; }
 .label[data-active] { color: var(--dimline-accent); }
+/* Where a number can be typed there is a field to be felt. */
+@media (hover: hover) {
+  .stage[data-cursor="text"] .label:hover { background: #fff; box-shadow: 0 0 0 4px #fff, 0 0 0 5px #c3cbd3; text-shadow: none; }
+}
+.label:focus-visible {
+  outline: 2px solid var(--dimline-accent);
+  outline-offset: 4px;
+  background: #fff;
+  box-shadow: 0 0 0 4px #fff, 0 0 0 9px rgb(255 255 255 / 80%);
+  text-shadow: none;
+}
+.label[data-left] { opacity: 0.6; }
+.label[data-covered] { visibility: hidden; }
 /* A line without a text is still a slider for keyboards and screen readers: a dot at its handle. */
 .label[data-textless] { width: 0; height: 0; overflow: hidden; }
-.label[data-textless]:focus-visible { overflow: visible; outline-offset: 12px; border-radius: 50%; }
+.label[data-textless]:focus-visible { overflow: visible; outline-offset: 12px; border-radius: 50%; background: none; box-shadow: none; }
 
 /* Switches and choices: what the layout reserves for them is their box, to the pixel. */
-.pills { position: absolute; inset: 0; pointer-events: none; }
 .pill, .options {
   position: absolute;
   left: 0;
@@ -171,11 +186,75 @@ canvas:focus-visible + .ring { opacity: 1; }
 @media (pointer: coarse) {
   .pill::after { content: ""; position: absolute; inset: -8px 0; }
 }
+.options[data-touch] { font-size: 16px; }
 
-.tip {
+/* A value that is typed: its box in place of the label's, and a sentence beside it when it is none. */
+.value-field {
   position: absolute;
   left: 0;
   top: 0;
+  z-index: 2;
+  display: grid;
+  box-sizing: border-box;
+  height: 28px;
+  border: 1px solid var(--dimline-accent);
+  border-radius: 5px;
+  background: #fff;
+  box-shadow: 0 0 0 1px var(--dimline-accent), 0 2px 10px rgb(31 41 51 / 22%);
+  font: 500 14px/26px "Dimline Label", "Barlow", system-ui, sans-serif;
+}
+.value-field .mirror, .value-field input {
+  grid-area: 1 / 1;
+  box-sizing: border-box;
+  margin: 0;
+  padding: 0 8px;
+  border: 0;
+  font: inherit;
+  color: inherit;
+  text-align: center;
+  white-space: pre;
+}
+.value-field .mirror { visibility: hidden; max-width: 240px; overflow: hidden; }
+.value-field input {
+  width: 100%;
+  min-width: 0;
+  height: 100%;
+  background: none;
+  outline: none;
+  cursor: text;
+  -webkit-user-select: text;
+  user-select: text;
+}
+.value-field input::selection { background: #fbd9c0; }
+.value-field[data-wrong] { border-color: #b42318; box-shadow: 0 0 0 1px #b42318, 0 2px 10px rgb(31 41 51 / 22%); }
+.value-field .note {
+  position: absolute;
+  top: calc(100% + 8px);
+  width: max-content;
+  max-width: 260px;
+  margin: 0;
+  padding: 6px 10px 7px;
+  border-radius: 5px;
+  background: #fff;
+  box-shadow: 0 2px 10px rgb(31 41 51 / 22%);
+  color: #b42318;
+  font-size: 13px;
+  line-height: 17px;
+  text-wrap: pretty;
+}
+.value-field .note[data-above] { top: auto; bottom: calc(100% + 8px); }
+.value-field .note:empty { display: none; }
+/* Phones zoom into fields with a smaller text. */
+@media (pointer: coarse) {
+  .value-field { height: 40px; font-size: 16px; line-height: 38px; }
+  .value-field .note { font-size: 14px; line-height: 19px; }
+}
+
+.readout {
+  position: absolute;
+  left: 0;
+  top: 0;
+  z-index: 3;
   padding: 4px 9px 5px;
   border-radius: 5px;
   background: var(--dimline-ink);
@@ -187,7 +266,38 @@ canvas:focus-visible + .ring { opacity: 1; }
   opacity: 0;
   transition: opacity 120ms;
 }
-.tip[data-shown] { opacity: 1; }
+.readout[data-shown] { opacity: 1; }
+.readout div { display: flex; gap: 8px; }
+.readout :empty { display: none; }
+.readout b { font-weight: 500; }
+.readout b, .readout .difference { font-variant-numeric: tabular-nums; }
+.readout .title:not(:only-child):has(+ b:not(:empty)), .readout .difference, .readout small { color: #cbd2d9; }
+.readout .limit {
+  margin: 0 -4px 0 0;
+  padding: 0 5px;
+  border-radius: 3px;
+  background: #ffb27a;
+  color: var(--dimline-ink);
+}
+.readout[data-limit] .limit { animation: limit 220ms ease-out; }
+.readout small { display: block; margin-top: 1px; font-size: 12px; }
+@keyframes limit {
+  35% { transform: translateX(3px); }
+  70% { transform: translateX(-2px); }
+}
+/* For screen readers alone. */
+.live {
+  position: absolute;
+  width: 1px;
+  height: 1px;
+  margin: 0;
+  overflow: hidden;
+  clip-path: inset(50%);
+  white-space: nowrap;
+}
+@media (pointer: coarse) {
+  .readout { padding: 7px 12px 8px; border-radius: 7px; font-size: 15px; line-height: 18px; }
+}
 
 .message {
   position: absolute;
@@ -220,6 +330,7 @@ canvas:focus-visible + .ring { opacity: 1; }
 .message button[hidden] { display: none; }
 
 @media (prefers-reduced-motion: reduce) {
-  .tip, .pill, .pill .track, .pill .track::before, .pill .chevron { transition: none; }
+  .readout, .pill, .pill .track, .pill .track::before, .pill .chevron { transition: none; }
+  .readout[data-limit] .limit { animation: none; }
 }
 `;

@@ -3,37 +3,48 @@
  * keyboards and screen readers, a slider. Positions and texts are the core's. Switches and choices are pill_layer.js.
  */
 
-import { stepped } from "./numbers.js";
+import { keySteps, stepped, valueText } from "./numbers.js";
 
-const kPageSteps = 10; // steps of Page Up and Page Down, and of Shift with an arrow
+// A key with one of these characters begins a number where a line has the focus.
+const kNumberKey = /^[0-9.,(-]$/;
+
+// px. What a finger needs; a label with less gets it from the free picture around it.
+const kTouchTargetPx = 44;
 
 export class LabelLayer {
   #layer;
-  #tip;
   #host;
   #entries = new Map(); // the line's identity -> {node, ...what it shows}
   #parameters = [];
-  #shown = 0;
+  #measures = [];
+  #mark = ".";
+  #round = 0;
   #handingOver = false;
 
   /**
-   * @param {HTMLElement} layer
-   * @param {HTMLElement} tip names the line under the pointer
-   * @param {{adjust: (name: string, value: number) => void, endAdjusting: () => void}} host
+   * @param {HTMLElement} layer may hold other things too
+   * @param {{adjust: (name: string, value: number) => void, endAdjusting: () => void, edit: (name: string, text?: string) => void,
+   *   reset: (name: string) => void}} host
    * @param {AbortSignal} signal
    */
-  constructor(layer, tip, host, signal) {
+  constructor(layer, host, signal) {
     this.#layer = layer;
-    this.#tip = tip;
     this.#host = host;
     layer.addEventListener("keydown", (event) => this.#keyDown(event), { signal });
     layer.addEventListener("keyup", () => this.#host.endAdjusting(), { signal });
     layer.addEventListener("focusout", () => this.#handingOver || this.#host.endAdjusting(), { signal });
   }
 
-  /** The parameters as getParameters() gives them: names, ranges and values for screen readers. */
-  setParameters(parameters) {
+  /**
+   * What screen readers say of lines.
+   * @param {object[]} parameters as getParameters() gives them
+   * @param {object[]} measures as getMeasures() gives them
+   * @param {"." | ","} mark the decimal mark
+   */
+  describe(parameters, measures, mark) {
     this.#parameters = parameters;
+    this.#measures = measures;
+    this.#mark = mark;
     for (const entry of this.#entries.values()) this.#describe(entry);
   }
 
@@ -41,52 +52,120 @@ export class LabelLayer {
    * Shows these labels and no others.
    * @param {object[]} labels as Core.labels() gives them
    * @param {number} devicePixelRatio texts stand on whole device pixels, where they are crispest
-   * @param {{x: number, y: number, touch: boolean}} pointer
-   * @param {object | null} control the parameter of another control that the pointer rests on and that should be named
    */
-  update(labels, devicePixelRatio, pointer, control = null) {
-    const round = ++this.#shown;
-    const described = new Set();
-    let active = null;
+  update(labels, devicePixelRatio) {
+    const round = ++this.#round;
     for (const label of labels) {
-      let entry = this.#entries.get(label.id);
-      if (!entry) {
-        entry = this.#add(label);
-      }
+      const entry = this.#entries.get(label.id) ?? this.#add(label);
       entry.round = round;
       this.#show(entry, label, devicePixelRatio);
-      // A parameter with several lines is one slider: the others are its pictures, and so is a line that fades away.
-      const first = label.handles.length > 0 && !described.has(label.parameter);
-      if (first) described.add(label.parameter);
-      if (entry.first !== first) {
-        entry.first = first;
-        this.#describe(entry);
-      }
-      if (label.dragged || (label.hovered && !active?.dragged)) active = label;
     }
+    this.#chooseSliders();
     for (const [id, entry] of this.#entries) {
       if (entry.round === round) continue;
+      const focused = this.#layer.getRootNode().activeElement === entry.node;
+      // Where the line has gone while it was being changed, its slider remains until the focus leaves it: the way back.
+      if (focused && !this.#handOver(entry)) {
+        entry.node.toggleAttribute("data-left", true);
+        continue;
+      }
       this.#entries.delete(id);
-      this.#handOver(entry);
       entry.node.remove();
     }
-    this.#showTip(active ? this.#tipOf(active) : control?.title, pointer);
   }
 
-  #tipOf(active) {
-    const title = this.#parameters[active.parameter]?.title ?? active.name;
-    return active.dragged || !active.box ? `${title}  ${active.text}` : title;
+  /** Forgets all: another document. */
+  clear() {
+    for (const { node } of this.#entries.values()) node.remove();
+    this.#entries.clear();
+  }
+
+  /** The label at a place in the picture (CSS px): for a finger the nearest within its reach. Null for none. */
+  labelAt(x, y, touch) {
+    let best = null;
+    let least = Infinity;
+    for (const { box, parameter, editable } of this.#entries.values()) {
+      if (!box || !editable) continue;
+      const [x0, y0, x1, y1] = box;
+      const reachX = touch ? Math.max(4, (kTouchTargetPx - (x1 - x0)) / 2) : 2;
+      const reachY = touch ? Math.max(4, (kTouchTargetPx - (y1 - y0)) / 2) : 2;
+      const outX = Math.max(x0 - x, x - x1, 0);
+      const outY = Math.max(y0 - y, y - y1, 0);
+      if (outX > reachX || outY > reachY) continue;
+      const away = Math.hypot(outX, outY) + Math.hypot(x - (x0 + x1) / 2, y - (y0 + y1) / 2) * 1e-3;
+      if (away < least) [best, least] = [{ name: this.#parameters[parameter]?.name, box, inside: outX + outY === 0 }, away];
+    }
+    return best;
+  }
+
+  /** The box of a parameter's slider in the picture, [x0, y0, x1, y1]; of no size for a line without a text. Null when none is shown. */
+  boxOf(name) {
+    const entry = this.#sliderOf(name);
+    return entry && boxOfEntry(entry);
+  }
+
+  /** Gives the keyboard's focus to a parameter's slider, if one is shown. */
+  focus(name) {
+    this.#sliderOf(name)?.node.focus({ preventScroll: true });
+  }
+
+  /** Sliders with their middles, for the order of the Tab key. */
+  stops() {
+    return [...this.#entries.values()].filter(({ slider }) => slider).map((entry) => {
+      const [x0, y0, x1, y1] = boxOfEntry(entry);
+      return { node: entry.node, x: (x0 + x1) / 2, y: (y0 + y1) / 2 };
+    });
+  }
+
+  /** The name of the parameter whose slider follows this one (or comes before it, for -1) in the order of the Tab key; null at the end. */
+  neighbour(name, direction) {
+    const nodes = [...this.#layer.children].filter((node) => node.getAttribute("role") === "slider");
+    const at = nodes.findIndex((node) => node.dataset.name === name);
+    return at < 0 ? null : (nodes[at + direction]?.dataset.name ?? null);
+  }
+
+  /** Hides the label behind an edit field that stands in its place; null for none. */
+  cover(name) {
+    for (const { node, slider } of this.#entries.values()) {
+      node.toggleAttribute("data-covered", slider && name !== null && node.dataset.name === name);
+    }
+  }
+
+  #sliderOf(name) {
+    for (const entry of this.#entries.values()) {
+      if (entry.slider && entry.node.dataset.name === name) return entry;
+    }
+    return null;
+  }
+
+  // A parameter with several lines is one slider, where its value is written if it is anywhere; the others are its pictures,
+  // and so is a line that fades away. A slider stays the slider while its line is there.
+  #chooseSliders() {
+    const chosen = new Map();
+    for (const entry of this.#entries.values()) {
+      if (!entry.editable) continue;
+      const rank = entry.round !== this.#round ? 0 : (entry.box ? 2 : 1) + (entry.slider ? 2 : 0);
+      const best = chosen.get(entry.parameter);
+      if (!best || rank > best.rank) chosen.set(entry.parameter, { entry, rank });
+    }
+    for (const entry of this.#entries.values()) {
+      const slider = chosen.get(entry.parameter)?.entry === entry;
+      if (entry.slider === slider) continue;
+      entry.slider = slider;
+      this.#describe(entry);
+    }
   }
 
   // A line that changes its place is another one; the keyboard's focus goes along.
   #handOver({ node, parameter }) {
-    if (this.#layer.getRootNode().activeElement !== node) return;
     for (const heir of this.#entries.values()) {
-      if (heir.parameter !== parameter || !heir.first) continue;
+      if (heir.parameter !== parameter || !heir.slider || heir.node === node) continue;
       this.#handingOver = true;
       heir.node.focus({ preventScroll: true });
       this.#handingOver = false;
+      return true;
     }
+    return false;
   }
 
   #add(label) {
@@ -96,11 +175,16 @@ export class LabelLayer {
     const entry = {
       node,
       parameter: label.parameter,
+      measure: label.measure ? label.name : null,
       text: null,
+      content: null,
+      box: null,
+      at: [0, 0],
       transform: "",
       opacity: "",
       active: false,
-      first: null,
+      editable: false,
+      slider: null,
       round: 0,
     };
     this.#entries.set(label.id, entry);
@@ -111,10 +195,12 @@ export class LabelLayer {
   #show(entry, label, devicePixelRatio) {
     const { node } = entry;
     entry.parameter = label.parameter;
+    entry.box = label.box;
+    entry.at = label.box ?? label.handles[0]?.screen ?? entry.at;
+    entry.editable = label.handles.length > 0 && !label.measure;
     if (entry.text !== label.text) {
       entry.text = label.text;
-      node.setAttribute("aria-valuetext", label.text);
-      entry.content = null;
+      this.#describe(entry);
     }
     const textless = !label.box;
     const content = textless ? "" : label.text;
@@ -123,9 +209,8 @@ export class LabelLayer {
       node.textContent = content;
       node.toggleAttribute("data-textless", textless);
     }
-    const [x, y] = label.box ?? label.handles[0]?.screen ?? [0, 0];
     const snap = (v) => Math.round(v * devicePixelRatio) / devicePixelRatio;
-    const transform = `translate(${snap(x)}px, ${snap(y)}px)`;
+    const transform = `translate(${snap(entry.at[0])}px, ${snap(entry.at[1])}px)`;
     if (entry.transform !== transform) node.style.transform = entry.transform = transform;
     const opacity = label.opacity >= 1 ? "" : String(label.opacity);
     if (entry.opacity !== opacity) node.style.opacity = entry.opacity = opacity;
@@ -136,10 +221,16 @@ export class LabelLayer {
     }
   }
 
-  #describe({ node, parameter: index, first }) {
+  #describe({ node, text, measure, parameter: index, slider }) {
+    if (measure !== null) {
+      const title = this.#measures.find(({ name }) => name === measure)?.title ?? measure;
+      node.setAttribute("role", "img");
+      node.setAttribute("aria-label", `${title}: ${text}`);
+      return;
+    }
     const parameter = this.#parameters[index];
     if (!parameter) return;
-    if (!first) {
+    if (!slider) {
       node.removeAttribute("tabindex");
       node.setAttribute("role", "presentation");
       node.setAttribute("aria-hidden", "true");
@@ -152,44 +243,24 @@ export class LabelLayer {
     node.setAttribute("aria-valuemin", parameter.min);
     node.setAttribute("aria-valuemax", parameter.max);
     node.setAttribute("aria-valuenow", parameter.value);
+    node.setAttribute("aria-valuetext", text || valueText(parameter, this.#mark));
     node.dataset.name = parameter.name;
   }
 
   #keyDown(event) {
     if (event.ctrlKey || event.metaKey || event.altKey) return;
-    const parameter = this.#parameters.find((p) => p.name === event.target.dataset?.name);
+    if (!event.target.classList.contains("label")) return;
+    const parameter = this.#parameters.find((p) => p.name === event.target.dataset.name);
     if (!parameter) return;
-    const large = event.shiftKey ? kPageSteps : 1;
-    const moves = {
-      ArrowUp: large,
-      ArrowRight: large,
-      ArrowDown: -large,
-      ArrowLeft: -large,
-      PageUp: kPageSteps,
-      PageDown: -kPageSteps,
-      Home: -Infinity,
-      End: Infinity,
-    };
-    if (!(event.key in moves)) return;
+    const steps = keySteps(event);
+    if (steps !== null) this.#host.adjust(parameter.name, stepped(parameter, steps));
+    else if (event.key === "Enter" || event.key === "F2") this.#host.edit(parameter.name);
+    else if (event.key === "Delete" || event.key === "Backspace") this.#host.reset(parameter.name);
+    else if (kNumberKey.test(event.key)) this.#host.edit(parameter.name, event.key);
+    else return;
     event.preventDefault();
-    this.#host.adjust(parameter.name, stepped(parameter, moves[event.key]));
-  }
-
-  #showTip(text, pointer) {
-    const tip = this.#tip;
-    tip.toggleAttribute("data-shown", Boolean(text));
-    if (!text) return;
-    if (tip.textContent !== text) tip.textContent = text;
-    // Beside a mouse's arrow, but above a finger, which hides what is under it.
-    const margin = 6;
-    const width = tip.offsetWidth;
-    const height = tip.offsetHeight;
-    const { offsetWidth: stageWidth, offsetHeight: stageHeight } = this.#layer;
-    let x = pointer.touch ? pointer.x - width / 2 : pointer.x + 14;
-    let y = pointer.touch ? pointer.y - height - 40 : pointer.y + 20;
-    if (!pointer.touch && y + height + margin > stageHeight) y = pointer.y - height - 12;
-    x = Math.min(Math.max(x, margin), Math.max(margin, stageWidth - width - margin));
-    y = Math.min(Math.max(y, margin), Math.max(margin, stageHeight - height - margin));
-    tip.style.transform = `translate(${Math.round(x)}px, ${Math.round(y)}px)`;
+    event.stopPropagation();
   }
 }
+
+const boxOfEntry = ({ box, at }) => box ?? [at[0], at[1], at[0], at[1]];

@@ -7,6 +7,8 @@ const byId = (id) => document.getElementById(id);
 const editor = byId("editor");
 const panelNode = byId("panel");
 const projection = byId("projection");
+const hidden = byId("hidden-lines");
+const measures = byId("measures");
 const hint = byId("hint");
 const narrow = matchMedia("(max-width: 639px), (max-width: 1023px) and (orientation: portrait)");
 
@@ -27,9 +29,12 @@ const panel = new Panel(byId("parameters"), {
     attempt(() => editor.setParameterContinuous(name, value));
   },
   endSlide: () => {
+    if (!sliding) return;
     sliding = false;
     attempt(() => editor.endContinuous());
   },
+  read: (name, text) => editor.parseValue(name, text),
+  mark: () => editor.decimalMark,
   refresh: (name) => attempt(() => panel.refresh(editor.getParameters().find((parameter) => parameter.name === name))),
   help: (sentence) => (hint.textContent = sentence || hint.dataset.text),
 });
@@ -60,6 +65,7 @@ function showHistory() {
 function showValues(live) {
   const parameters = editor.getParameters();
   panel.show(parameters, live);
+  panel.showMeasures(editor.getMeasures());
   byId("reset-all").disabled = parameters.every((p) => p.value === p.default);
   showHistory();
 }
@@ -84,6 +90,14 @@ function showDocument() {
   for (const button of document.querySelectorAll(".views button")) button.disabled = false;
   showValues(false);
   showProjection();
+  showMore();
+}
+
+// Which lines there are beyond those that the picture needs. A model without measures needs no button for them.
+function showMore() {
+  hidden.setAttribute("aria-pressed", editor.hiddenShown);
+  measures.setAttribute("aria-pressed", editor.measuresShown);
+  measures.hidden = editor.getMeasures().length === 0;
 }
 
 // A step in the browser's history, unless the address says so already: then it is where the model came from.
@@ -113,11 +127,47 @@ editor.addEventListener("input", () => showValues(!sliding));
 editor.addEventListener("change", () => showValues(false));
 editor.addEventListener("camera-change", showProjection);
 
+// Numbers in another manner: the editor has changed by now, for it heard first.
+function writeAnew() {
+  if (panelNode.dataset.state !== "ready") return;
+  for (const parameter of editor.getParameters()) panel.refresh(parameter);
+  panel.showMeasures(editor.getMeasures());
+}
+new MutationObserver(writeAnew).observe(editor, { attributeFilter: ["lang"] });
+addEventListener("languagechange", writeAnew);
+
 byId("undo").addEventListener("click", () => editor.undo());
 byId("redo").addEventListener("click", () => editor.redo());
 byId("fit").addEventListener("click", () => editor.fitToView());
 projection.addEventListener("click", () => {
   editor.orthographic = !editor.orthographic;
+});
+// A click switches; holding the button shows the lines as long as it is held, as its key does.
+const kHoldMs = 400;
+let heldSinceMs = Infinity;
+hidden.addEventListener("pointerdown", (event) => {
+  if (event.button !== 0 || editor.hiddenShown) return;
+  heldSinceMs = event.timeStamp;
+  editor.hiddenShown = true;
+  showMore();
+});
+const letGo = (event) => {
+  if (event.timeStamp - heldSinceMs > kHoldMs) editor.hiddenShown = false;
+  showMore();
+};
+hidden.addEventListener("pointerup", letGo);
+hidden.addEventListener("pointercancel", letGo);
+hidden.addEventListener("click", (event) => {
+  // With a pointer, its going down has switched it on.
+  const switchedOn = heldSinceMs !== Infinity;
+  heldSinceMs = Infinity;
+  if (!switchedOn) editor.hiddenShown = !editor.hiddenShown;
+  showMore();
+});
+hidden.addEventListener("contextmenu", (event) => event.preventDefault()); // of a finger that holds it
+measures.addEventListener("click", () => {
+  editor.measuresShown = !editor.measuresShown;
+  showMore();
 });
 for (const button of document.querySelectorAll("[data-view]")) {
   button.addEventListener("click", () => editor.setView(button.dataset.view));
@@ -148,5 +198,6 @@ document.addEventListener("keydown", (event) => {
     target instanceof HTMLElement &&
     target.matches("input:not([type=range], [type=checkbox], [type=radio]), select, textarea");
   if (typing || target === editor) return;
-  attempt(() => editor.handleKey(event));
+  attempt(() => editor.handleKey(event) && showMore());
 });
+editor.addEventListener("keydown", showMore);

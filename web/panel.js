@@ -1,17 +1,8 @@
-import { choiceTitle, decimalsOf, kUnits } from "./numbers.js";
+import { make } from "./dom.js";
+import { choiceTitle, decimalsOf, keySteps, kUnits, numberText, stepped } from "./numbers.js";
 
 const kIcons = "assets/icons/icons.svg";
 const kMostSegments = 4; // more choices than these go into a menu
-
-function make(tag, attributes = {}, ...children) {
-  const node = document.createElement(tag);
-  for (const [name, value] of Object.entries(attributes)) {
-    if (value === true) node.setAttribute(name, "");
-    else if (value !== false && value !== null) node.setAttribute(name, value);
-  }
-  node.append(...children);
-  return node;
-}
 
 function makeIcon(name) {
   const kSvg = "http://www.w3.org/2000/svg";
@@ -29,13 +20,17 @@ function makeIcon(name) {
  */
 export class Panel {
   #rows = new Map(); // name -> row
+  #measures = null; // the list under the rows
   #host;
 
   /**
    * @param {HTMLElement} container
-   * @param {{set: (values: object) => void, slide: (name: string, value: number) => void, endSlide: () => void,
-   *   refresh: (name: string) => void, help: (sentence: string) => void}} host
-   *   refresh: asks for a call of refresh() with that parameter; help: what to say of the row in use, or ""
+   * @param {object} host
+   *   set(values), slide(name, value), endSlide(): what the visitor sets; never throw
+   *   read(name, text): the number that a typed text means; throws an Error for the visitor
+   *   refresh(name): asks for a call of refresh() with that parameter
+   *   mark(): the decimal mark
+   *   help(sentence): what to say of the row in use, or ""
    */
   constructor(container, host) {
     this.container = container;
@@ -46,7 +41,7 @@ export class Panel {
 
   #helpWith(target) {
     const id = target?.closest?.("[aria-describedby]")?.getAttribute("aria-describedby");
-    this.#host.help(document.getElementById(id ?? "")?.textContent ?? "");
+    this.#host.help(document.getElementById(id?.split(" ")[0] ?? "")?.textContent ?? "");
   }
 
   /** Builds the rows anew: another document. */
@@ -79,14 +74,27 @@ export class Panel {
       row.reset.disabled = parameter.value === parameter.default;
       if (!changed) continue;
       row.value = parameter.value;
-      row.show(parameter.value);
+      row.show(parameter);
       if (live) row.node.scrollIntoView({ block: "nearest" });
     }
   }
 
   /** Shows one value as it is, over whatever was typed. */
   refresh(parameter) {
-    this.#rows.get(parameter.name)?.show(parameter.value, true);
+    this.#rows.get(parameter.name)?.show(parameter, true);
+  }
+
+  /** Shows what follows from the parameters and cannot be set: under the rows, when there is anything of the kind. */
+  showMeasures(measures) {
+    this.#measures ??= make("dl");
+    const section = this.#measures.closest("section");
+    if (measures.length === 0) return section?.remove();
+    if (!section?.isConnected) {
+      const heading = make("h2", { id: "group-measures" }, "Overall");
+      this.container.append(make("section", { class: "measures", "aria-labelledby": heading.id }, heading, this.#measures));
+    }
+    const rows = measures.map(({ title, text, help }) => make("div", { title: help || null }, make("dt", {}, title), make("dd", {}, text)));
+    this.#measures.replaceChildren(...rows);
   }
 
   /** The default of every parameter that is not at it. */
@@ -132,38 +140,70 @@ function makeNumber(parameter, id, helpId, host) {
   const decimals = decimalsOf(parameter);
   const unit = kUnits[parameter.unit] ?? parameter.unit;
   const label = make("label", { for: id }, title);
+  const problem = make("p", { class: "problem", id: `${id}-problem`, role: "alert" });
   const input = make("input", {
-    type: "number",
+    type: "text",
+    class: "number",
+    role: "spinbutton",
     id,
-    min,
-    max,
-    step,
-    inputmode: decimals ? "decimal" : "numeric",
+    inputmode: min < 0 ? "text" : decimals ? "decimal" : "numeric",
+    enterkeyhint: "done",
     autocomplete: "off",
-    "aria-describedby": helpId,
+    spellcheck: "false",
+    "aria-valuemin": min,
+    "aria-valuemax": max,
+    "aria-describedby": [helpId, problem.id].filter(Boolean).join(" "),
   });
   const range = make("input", { type: "range", min, max, step, "aria-label": title, "aria-describedby": helpId });
-  const show = (value, whole = false) => {
-    // "9" may stay as it was typed while the field has the focus; a value that is another one is shown.
-    if (whole || document.activeElement !== input || Number(input.value) !== value)
-      input.value = value.toFixed(decimals);
-    range.value = value;
-    range.setAttribute("aria-valuetext", `${value.toFixed(decimals)} ${unit}`.trim());
-    const share = max > min ? (value - min) / (max - min) : 0;
-    range.style.setProperty("--share", share);
+  let now = parameter;
+  const complain = (sentence) => {
+    problem.textContent = sentence;
+    input.setAttribute("aria-invalid", String(Boolean(sentence)));
+  };
+  const show = (shown, whole = false) => {
+    const other = now.value !== shown.value;
+    now = shown;
+    const text = numberText(shown.value, decimals, host.mark());
+    // What is being typed stays as it is, unless the value is another one by now.
+    if (whole || other || document.activeElement !== input) {
+      input.value = text;
+      complain("");
+    }
+    input.setAttribute("aria-valuenow", shown.value);
+    input.setAttribute("aria-valuetext", `${text} ${unit}`.trim());
+    range.value = shown.value;
+    range.setAttribute("aria-valuetext", `${text} ${unit}`.trim());
+    range.style.setProperty("--share", max > min ? (shown.value - min) / (max - min) : 0);
+  };
+  const take = () => {
+    if (input.value.trim() === "") return host.refresh(name);
+    let value;
+    try {
+      value = host.read(name, input.value);
+    } catch (error) {
+      return complain(error.message); // and what was typed stays, to be mended
+    }
+    // As it stands in the field it may be rounded: it is the value that is there already.
+    if (input.value !== numberText(now.value, decimals, host.mark())) host.set({ [name]: value });
+    host.refresh(name);
   };
   range.addEventListener("input", () => host.slide(name, range.valueAsNumber));
   range.addEventListener("change", () => host.endSlide());
   range.addEventListener("pointercancel", () => host.endSlide());
-  input.addEventListener("change", () => {
-    const value = input.valueAsNumber;
-    if (Number.isFinite(value)) host.set({ [name]: value });
-    host.refresh(name);
-  });
+  input.addEventListener("change", take);
   input.addEventListener("keydown", (event) => {
-    if (event.key === "Enter") input.select();
-    if (event.key === "Escape") host.refresh(name);
+    if (event.key === "Enter") {
+      take();
+      input.select();
+    } else if (event.key === "Escape") {
+      host.refresh(name);
+    } else if (["ArrowUp", "ArrowDown", "PageUp", "PageDown"].includes(event.key)) {
+      event.preventDefault();
+      host.slide(name, stepped(now, keySteps(event)));
+    }
   });
+  input.addEventListener("keyup", () => host.endSlide());
+  input.addEventListener("blur", () => host.endSlide());
   input.addEventListener("focus", () => input.select());
   const field = make(
     "span",
@@ -171,13 +211,13 @@ function makeNumber(parameter, id, helpId, host) {
     input,
     make("span", { class: unit === "°" ? "unit close" : "unit", "aria-hidden": "true" }, unit),
   );
-  return { head: [label, field], body: [range], show };
+  return { head: [label, field], body: [problem, range], show };
 }
 
 function makeSwitch(parameter, id, helpId, host) {
   const input = make("input", { type: "checkbox", role: "switch", id, "aria-describedby": helpId });
   input.addEventListener("change", () => host.set({ [parameter.name]: input.checked }));
-  const show = (value) => (input.checked = value);
+  const show = ({ value }) => (input.checked = value);
   return { head: [make("label", { for: id }, parameter.title), input], body: [], show };
 }
 
@@ -190,7 +230,7 @@ function makeChoice(parameter, id, helpId, host) {
       ...choices.map((choice) => make("option", { value: choice }, choiceTitle(choice))),
     );
     select.addEventListener("change", () => host.set({ [name]: select.value }));
-    return { head: [make("label", { for: id }, title)], body: [select], show: (value) => (select.value = value) };
+    return { head: [make("label", { for: id }, title)], body: [select], show: ({ value }) => (select.value = value) };
   }
   const caption = make("span", { class: "caption", id: `${id}-title` }, title);
   const inputs = choices.map((choice, index) => {
@@ -203,6 +243,6 @@ function makeChoice(parameter, id, helpId, host) {
     { class: "segments", role: "radiogroup", "aria-labelledby": caption.id, "aria-describedby": helpId },
     ...inputs.map((input) => make("label", {}, input, make("span", {}, choiceTitle(input.value)))),
   );
-  const show = (value) => inputs.forEach((input) => (input.checked = input.value === value));
+  const show = ({ value }) => inputs.forEach((input) => (input.checked = input.value === value));
   return { head: [caption], body: [segments], show };
 }

@@ -3,7 +3,12 @@
  * them. Which one is where, and what it says, is the core's; here is only what a form control does by itself in a page.
  */
 
+import { make } from "./dom.js";
 import { choiceTitle } from "./numbers.js";
+
+// px. A row of a choice's list, and the distance that the list keeps from the picture's edge, where a finger chooses.
+const kTouchRowPx = 44;
+const kListMarginPx = 6;
 
 const kSvg = "http://www.w3.org/2000/svg";
 
@@ -18,14 +23,6 @@ function makeIcon(className, d) {
   return svg;
 }
 
-function make(tag, className, attributes = {}, ...children) {
-  const node = document.createElement(tag);
-  node.className = className;
-  for (const [name, value] of Object.entries(attributes)) node.setAttribute(name, value);
-  node.append(...children);
-  return node;
-}
-
 export class PillLayer {
   #layer;
   #host;
@@ -33,10 +30,11 @@ export class PillLayer {
   #parameters = [];
   #open = null; // {entry, list}: the choice that shows its options
   #hovered = null; // entry
+  #touched = false; // the last press was a finger's
   #round = 0;
 
   /**
-   * @param {HTMLElement} layer
+   * @param {HTMLElement} layer may hold other things too
    * @param {{set: (name: string, value: boolean | string) => void, changed: () => void}} host
    * @param {AbortSignal} signal
    */
@@ -45,10 +43,11 @@ export class PillLayer {
     this.#host = host;
     layer.addEventListener("click", (event) => this.#click(event), { signal });
     layer.addEventListener("keydown", (event) => this.#keyDown(event), { signal });
+    layer.addEventListener("pointerdown", ({ pointerType }) => (this.#touched = pointerType === "touch"), { signal });
     layer.addEventListener("pointerover", (event) => this.#hover(event), { signal });
     layer.addEventListener("pointerout", (event) => this.#hover(event), { signal });
     layer.addEventListener("focusout", (event) => this.#focusOut(event), { signal });
-    const elsewhere = (event) => this.#open && !event.composedPath().includes(this.#layer) && this.#close();
+    const elsewhere = (event) => this.#open && !this.#isOfOpen(event.composedPath()[0]) && this.#close();
     window.addEventListener("pointerdown", elsewhere, { signal, capture: true });
   }
 
@@ -58,7 +57,7 @@ export class PillLayer {
   }
 
   /** The parameters as getParameters() gives them. */
-  setParameters(parameters) {
+  describe(parameters) {
     this.#parameters = parameters;
     for (const entry of this.#entries.values()) this.#describe(entry);
   }
@@ -87,15 +86,15 @@ export class PillLayer {
 
   #add(key, pill) {
     const choice = pill.options.length > 0;
-    const text = make("span", "");
-    const sign = choice ? makeIcon("chevron", "m4 6.5 4 4 4-4") : make("span", "track");
-    const node = make("button", "pill", { type: "button", part: "pill", "data-control": "" }, text, sign);
+    const text = make("span");
+    const sign = choice ? makeIcon("chevron", "m4 6.5 4 4 4-4") : make("span", { class: "track" });
+    const node = make("button", { class: "pill", type: "button", part: "pill", "data-control": true }, text, sign);
     if (pill.fading) node.inert = true;
     if (choice) {
       node.setAttribute("aria-haspopup", "listbox");
       node.setAttribute("aria-expanded", "false");
     }
-    const entry = { node, text, choice, parameter: pill.parameter, options: [], value: undefined, style: "", round: 0 };
+    const entry = { node, text, choice, parameter: pill.parameter, options: [], box: pill.box, value: undefined, style: "", round: 0 };
     this.#entries.set(key, entry);
     this.#layer.append(node);
     this.#describe(entry);
@@ -104,6 +103,7 @@ export class PillLayer {
 
   #show(entry, pill, devicePixelRatio) {
     entry.options = pill.options;
+    entry.box = pill.box;
     if (entry.parameter !== pill.parameter || entry.value !== pill.value) {
       entry.parameter = pill.parameter;
       entry.value = pill.value;
@@ -153,28 +153,38 @@ export class PillLayer {
     if (!parameter) return;
     if (!entry.choice) return this.#host.set(parameter.name, !parameter.value);
     if (this.#open) this.#close();
-    else this.#openList(entry);
+    else this.#openList(entry, this.#touched);
   }
 
-  #openList(entry) {
+  /** Buttons with their middles, for the order of the Tab key. */
+  stops() {
+    return [...this.#entries.values()]
+      .filter(({ node }) => !node.inert)
+      .map(({ node, box: [x0, y0, x1, y1] }) => ({ node, x: (x0 + x1) / 2, y: (y0 + y1) / 2 }));
+  }
+
+  #isOfOpen(node) {
+    return this.#open.list.contains(node) || this.#open.entry.node.contains(node);
+  }
+
+  #openList(entry, touch = false) {
     const parameter = this.#parameters[entry.parameter];
     const options = entry.options.map(({ value }) =>
       make(
         "div",
-        "option",
-        { role: "option", tabindex: "-1", "data-value": value },
-        make("span", "", {}, choiceTitle(value)),
+        { class: "option", role: "option", tabindex: "-1", "data-value": value },
+        make("span", {}, choiceTitle(value)),
         makeIcon("tick", "m3.5 8.5 3 3 6-7"),
       ),
     );
     const list = make(
       "div",
-      "options",
-      { role: "listbox", part: "options", "data-control": "", "aria-label": parameter.title },
+      { class: "options", role: "listbox", part: "options", "data-control": true, "aria-label": parameter.title },
       ...options,
     );
     list.addEventListener("pointermove", (event) => event.target.closest(".option")?.focus({ preventScroll: true }));
-    this.#open = { entry, list, style: "" };
+    this.#open = { entry, list, touch, style: "" };
+    list.toggleAttribute("data-touch", touch);
     entry.node.setAttribute("aria-expanded", "true");
     this.#layer.append(list);
     this.#placeList(devicePixelRatio);
@@ -189,7 +199,17 @@ export class PillLayer {
     if (boxes.length === 0) return;
     const least = (i) => Math.min(...boxes.map((box) => box[i]));
     const most = (i) => Math.max(...boxes.map((box) => box[i]));
-    place(this.#open, list, [least(0), least(1), most(2), most(3)], devicePixelRatio);
+    const box = [least(0), least(1), most(2), most(3)];
+    place(this.#open, list, this.#roomyBox(box, boxes.length), devicePixelRatio);
+  }
+
+  // The layout leaves room for rows that a mouse can hit; under a finger they are higher, and the list stays in the picture.
+  #roomyBox([x0, y0, x1, y1], rows) {
+    const height = Math.max(y1 - y0, this.#open.touch ? rows * kTouchRowPx : 0);
+    const top = (y0 + y1 - height) / 2;
+    const lowest = Math.max(kListMarginPx, this.#layer.offsetHeight - height - kListMarginPx);
+    const y = height > y1 - y0 ? Math.min(Math.max(top, kListMarginPx), lowest) : y0;
+    return [x0, y, x1, y + height];
   }
 
   #markChosen() {
@@ -216,11 +236,12 @@ export class PillLayer {
 
   #focusOut(event) {
     const { relatedTarget } = event;
-    if (this.#open && relatedTarget && !this.#layer.contains(relatedTarget)) this.#close();
+    if (this.#open && relatedTarget && !this.#isOfOpen(relatedTarget)) this.#close();
   }
 
   #keyDown(event) {
     if (event.ctrlKey || event.metaKey || event.altKey) return;
+    if (this.#open && !this.#isOfOpen(event.target)) return;
     if (this.#open ? this.#listKey(event) : this.#pillKey(event)) {
       event.preventDefault();
       event.stopPropagation();
@@ -229,6 +250,7 @@ export class PillLayer {
 
   #pillKey(event) {
     const entry = this.#entryOf(event.target);
+    this.#touched = false;
     if (!entry?.choice || !["ArrowDown", "ArrowUp"].includes(event.key)) return false;
     this.#openList(entry);
     return true;

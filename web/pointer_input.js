@@ -1,12 +1,16 @@
 /**
  * Turns pointer and wheel events into the core's calls. What a gesture means is the core's business; here are only the
- * browser's peculiarities: capture, coordinates, wheel units, cursors.
+ * browser's peculiarities: capture, coordinates, wheel units, cursors, and what is a tap or a double one.
  */
+
+import { cursorAlong } from "./cursors.js";
 
 /** The core's bits for the modifier keys of an event. */
 function modifierBits(event) {
   return (event.shiftKey ? 1 : 0) | (event.ctrlKey ? 2 : 0) | (event.altKey ? 4 : 0) | (event.metaKey ? 8 : 0);
 }
+
+const kindOf = ({ pointerType }) => (pointerType === "touch" || pointerType === "pen" ? pointerType : "mouse");
 
 /** Whether an event is on a control over the picture, which handles it by itself. */
 const onControl = (event) => Boolean(event.target.closest?.("[data-control]"));
@@ -14,11 +18,18 @@ const onControl = (event) => Boolean(event.target.closest?.("[data-control]"));
 // A mouse wheel's notch is 100 px in one browser and three lines in another.
 const kWheelLinePx = 100 / 3;
 
+// How far a pointer may stray (px) and how long it may stay (ms) for a press to be a tap, and how soon and how near a second tap
+// makes it a double one. Fingers tremble and come back beside where they were.
+const kTap = { strayPx: 4, ms: 700, doubleMs: 450, doublePx: 6 };
+const kFingerTap = { strayPx: 10, ms: 500, doubleMs: 450, doublePx: 28 };
+
 export class PointerInput {
   #stage;
   #canvas;
   #host;
-  #held = new Map(); // pointer id -> what it holds, "handle" or "camera"
+  #held = new Map(); // pointer id -> {target: "handle" | "camera" | "", kind, x, y, ms, still}: what it holds, and where that began
+  #tapped = null; // {x, y, ms, touch, target}: the press that has just ended, if it was a tap
+  #before = null; // the tap before it
 
   /** Where the pointer was last (CSS px in the stage) and whether it was a finger: for the tip. */
   last = { x: 0, y: 0, touch: false };
@@ -26,8 +37,12 @@ export class PointerInput {
   /**
    * @param {HTMLElement} stage fills the viewport and holds canvas and labels
    * @param {HTMLCanvasElement} canvas
-   * @param {{core: () => object | null, changed: () => void, guard: (call: () => void) => void}} host
-   *   core: null while there is none; changed: a frame is wanted; guard: runs a call into the core
+   * @param {object} host
+   *   core(): null while there is none
+   *   changed(): a frame is wanted
+   *   guard(call): runs a call into the core
+   *   cursorAt(x, y, onHandle): the cursor for a mouse that rests there
+   *   tapped(tap), doubleTapped(tap): {x, y, touch, target} in the stage, and clientX, clientY in the window
    * @param {AbortSignal} signal ends all listening
    */
   constructor(stage, canvas, host, signal) {
@@ -41,17 +56,26 @@ export class PointerInput {
     listen("pointercancel", (event) => this.#cancelPointer(event));
     listen("lostpointercapture", (event) => this.#cancelPointer(event));
     listen("pointerleave", (event) => this.#leave(event));
+    listen("click", (event) => this.#click(event));
     listen("wheel", (event) => this.#wheel(event), { passive: false });
     listen("contextmenu", (event) => event.preventDefault()); // the secondary button pans
     listen("mousedown", (event) => this.#mouseDown(event));
     listen("dragstart", (event) => event.preventDefault());
     listen("gesturestart", (event) => event.preventDefault()); // Safari's pinch would zoom the page
     window.addEventListener("keydown", (event) => this.#escape(event), { signal, capture: true });
+    for (const type of ["keydown", "keyup"]) {
+      window.addEventListener(type, (event) => this.#modifierKey(event), { signal, capture: true });
+    }
   }
 
   /** Whether a pointer is down on the picture. */
   get active() {
     return this.#held.size > 0;
+  }
+
+  /** While a handle is dragged: the direction of its line on screen, which the cursor shows. */
+  set dragDirection(direction) {
+    if (direction && this.active) this.#showCursor(cursorAlong(direction));
   }
 
   /** Lets go of everything, as when the document is replaced. */
@@ -60,6 +84,7 @@ export class PointerInput {
       if (this.#stage.hasPointerCapture(id)) this.#stage.releasePointerCapture(id);
     }
     this.#held.clear();
+    this.#tapped = this.#before = null;
     this.#showCursor("");
   }
 
@@ -69,7 +94,7 @@ export class PointerInput {
       const core = this.#host.core();
       if (!core) return;
       const [x, y] = this.#position(event);
-      const kind = event.pointerType === "touch" || event.pointerType === "pen" ? event.pointerType : "mouse";
+      const kind = kindOf(event);
       const button = event.button > 0 && event.button < 3 ? event.button : 0;
       this.last = { x, y, touch: kind === "touch" };
       target = core[method](event.pointerId, kind, button, x, y, modifierBits(event)) ?? "";
@@ -91,30 +116,64 @@ export class PointerInput {
     if (onControl(event)) return;
     if (event.button > 2) return; // the mouse's back and forward
     const target = this.#call("pointerDown", event);
-    this.#held.set(event.pointerId, target);
+    this.#tapped = null;
+    const alone = this.#held.size === 0 && event.button === 0 && !event.ctrlKey && !event.metaKey;
+    for (const other of this.#held.values()) other.still = false;
+    const { x, y } = this.last;
+    this.#held.set(event.pointerId, { target, kind: kindOf(event), x, y, ms: event.timeStamp, still: alone });
     // A pointer that a script invented cannot be captured; its gesture works without.
     try {
       this.#stage.setPointerCapture(event.pointerId);
     } catch {}
-    this.#showCursor(target && `${target}-held`);
+    if (target === "camera") this.#showCursor("camera-held");
   }
 
   #move(event) {
-    if (this.#held.has(event.pointerId)) {
+    const held = this.#held.get(event.pointerId);
+    if (held) {
       this.#call("pointerMove", event);
+      const { strayPx } = event.pointerType === "touch" ? kFingerTap : kTap;
+      if (Math.hypot(this.last.x - held.x, this.last.y - held.y) > strayPx) held.still = false;
     } else if (onControl(event)) {
       const [x, y] = this.#position(event);
       this.last = { x, y, touch: event.pointerType === "touch" };
       this.#leave(event);
     } else if (event.pointerType !== "touch") {
-      this.#showCursor(this.#call("hover", event));
+      this.#hover(event);
     }
   }
 
+  #hover(event) {
+    const onHandle = this.#call("hover", event) === "handle";
+    this.#showCursor(this.#host.cursorAt(this.last.x, this.last.y, onHandle));
+  }
+
   #up(event) {
-    if (!this.#held.delete(event.pointerId)) return;
+    const held = this.#held.get(event.pointerId);
+    if (!held) return;
+    this.#held.delete(event.pointerId);
     this.#call("pointerUp", event);
-    this.#showCursor(event.pointerType === "touch" ? "" : this.#call("hover", event));
+    const touch = event.pointerType === "touch";
+    const { ms } = touch ? kFingerTap : kTap;
+    if (held.still && event.timeStamp - held.ms <= ms) {
+      this.#tapped = { x: held.x, y: held.y, ms: event.timeStamp, touch, target: held.target };
+    }
+    if (touch) this.#showCursor("");
+    else this.#hover(event);
+  }
+
+  // A tap counts when the browser is through with it: what opens earlier would get the mouse events that follow a touch.
+  #click(event) {
+    const tap = this.#tapped;
+    this.#tapped = null;
+    if (!tap || onControl(event)) return;
+    const { doubleMs, doublePx } = tap.touch ? kFingerTap : kTap;
+    const first = this.#before;
+    const double = first && tap.ms - first.ms <= doubleMs && Math.hypot(tap.x - first.x, tap.y - first.y) <= doublePx;
+    this.#before = double ? null : tap;
+    const { clientX, clientY } = event;
+    this.#host.guard(() => this.#host[double ? "doubleTapped" : "tapped"]({ ...tap, clientX, clientY }));
+    this.#host.changed();
   }
 
   #cancelPointer(event) {
@@ -142,11 +201,21 @@ export class PointerInput {
     this.#cancelGesture();
   }
 
-  // A drag that begins on a label turns the view; only a double click selects its text. The middle button would scroll.
+  // Shift and Alt change how a drag snaps, at once and not only with the pointer's next movement.
+  #modifierKey(event) {
+    if (event.key !== "Shift" && event.key !== "Alt") return;
+    const [id, held] = [...this.#held].find(([, { target }]) => target === "handle") ?? [];
+    if (!held) return;
+    event.preventDefault(); // Alt alone would open the browser's menu
+    this.#host.guard(() => this.#host.core()?.pointerMove(id, held.kind, 0, this.last.x, this.last.y, modifierBits(event)));
+    this.#host.changed();
+  }
+
+  // A press on a label is one on the picture: nothing is selected, and the focus is the canvas's. The middle button would scroll.
   #mouseDown(event) {
     if (onControl(event)) return;
     const onLabel = event.target !== this.#canvas;
-    if (event.button === 1 || (onLabel && event.detail < 2)) {
+    if (event.button === 1 || onLabel) {
       event.preventDefault();
       this.#canvas.focus({ preventScroll: true });
     }
@@ -163,7 +232,6 @@ export class PointerInput {
   }
 
   #showCursor(name) {
-    if (name === "camera") name = "";
     if (this.#stage.dataset.cursor !== name) this.#stage.dataset.cursor = name;
   }
 }

@@ -226,7 +226,7 @@ test("keys: F fits, 1 is the front, 5 changes the projection; in a text field th
   assert.ok(range(await cameraOf(page)) < far);
 
   const before = await cameraOf(page);
-  await page.locator("#panel input[type=number]").first().focus();
+  await page.locator("#panel input.number").first().focus();
   await page.keyboard.type("7");
   await page.keyboard.press("Escape");
   await settle(page);

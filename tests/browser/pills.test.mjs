@@ -178,7 +178,7 @@ test("hovering over a choice says what it chooses", async () => {
   const { parameter: name, box } = await other("range");
   await page.mouse.move(...(await middle(box)));
   await settle(page);
-  const tip = page.locator("dimline-editor").locator(".tip[data-shown]");
+  const tip = page.locator("dimline-editor").locator(".readout[data-shown]");
   assert.equal(await tip.textContent(), (await parameter(name)).title);
   await page.mouse.move(2, 2);
   await settle(page);

@@ -1,0 +1,67 @@
+// Handles and labels as a visitor finds them: where they are in the window, and how they are taken hold of.
+import assert from "node:assert/strict";
+import { distance, layoutOf, lineOf, pictureBox } from "./page.mjs";
+
+// px behind an arrow's tip: there a visitor takes hold of it.
+const kBehindTipPx = 5;
+
+/** The built-in models by name. */
+export const modelNames = (page) => page.evaluate(() => document.querySelector("dimline-editor").getModels().map(({ name }) => name));
+
+/** Something in the element's shadow tree. */
+export const inside = (page, selector) => page.locator("dimline-editor").locator(selector);
+
+/** The slider of a parameter. */
+export const sliderOf = (page, name) => inside(page, `.label[role=slider][data-name="${name}"]`);
+
+export const cursorOf = (page) =>
+  page.evaluate(() => getComputedStyle(document.querySelector("dimline-editor").shadowRoot.querySelector(".stage")).cursor);
+
+/** The middle of a box of the layout, in the window. */
+export async function middleOf(page, [x0, y0, x1, y1]) {
+  const picture = await pictureBox(page);
+  return [picture.x + (x0 + x1) / 2, picture.y + (y0 + y1) / 2];
+}
+
+/** Where the number of a parameter's line stands, in the window. */
+export async function labelOf(page, name) {
+  const { lines, others } = await layoutOf(page);
+  const line = lines.find(({ parameter, label }) => parameter === name && label);
+  const arc = others.find(({ parameter }) => parameter === name);
+  assert.ok(line || arc, `${name} has no label`);
+  return middleOf(page, line?.label.box ?? arc.box);
+}
+
+/**
+ * The ends of a line that can be dragged: where a visitor takes hold of each, in the window, and the way outwards on screen.
+ * @param {object} line of a layout
+ * @param {{x: number, y: number}} picture
+ */
+export function gripsOf({ line, handles }, picture) {
+  return handles.map(({ end, screen }) => {
+    const [from, to] = end === "end" ? line.screen : [...line.screen].reverse();
+    const length = distance(from, to);
+    const outward = [(to[0] - from[0]) / length, (to[1] - from[1]) / length];
+    const behind = Math.min(kBehindTipPx, length / 2);
+    return { end, tip: screen, outward, at: [picture.x + screen[0] - outward[0] * behind, picture.y + screen[1] - outward[1] * behind] };
+  });
+}
+
+/** The moving end of a parameter's line. */
+export async function gripOf(page, name) {
+  const line = lineOf(await layoutOf(page), name);
+  const grips = gripsOf(line, await pictureBox(page));
+  return { line, ...(grips.find(({ end }) => end === "end") ?? grips[0]) };
+}
+
+/** Fingers on the screen, by the browser's own input. */
+export async function fingersOf(page) {
+  const session = await page.context().newCDPSession(page);
+  const send = (type, ...points) =>
+    session.send("Input.dispatchTouchEvent", { type, touchPoints: points.map(([x, y], id) => ({ x, y, id })) });
+  return {
+    down: (...points) => send("touchStart", ...points),
+    move: (...points) => send("touchMove", ...points),
+    up: () => send("touchEnd"),
+  };
+}

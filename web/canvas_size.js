@@ -1,0 +1,71 @@
+/**
+ * Keeps a canvas at exactly as many pixels as the screen shows of it, whatever the page's zoom and the device's pixel ratio.
+ */
+export class CanvasSize {
+  #stage;
+  #canvas;
+  #device = null; // [width, height] in device pixels
+  #applied = "";
+
+  /**
+   * @param {HTMLElement} stage the box that the canvas fills
+   * @param {HTMLCanvasElement} canvas
+   * @param {{resized: () => void, stale: () => void}} host resized: draw before this frame is shown, or the emptied canvas
+   *   would flash; stale: a frame is wanted
+   * @param {AbortSignal} signal ends all listening
+   */
+  constructor(stage, canvas, host, signal) {
+    this.#stage = stage;
+    this.#canvas = canvas;
+    const observer = new ResizeObserver((entries) => {
+      this.#measure(entries.at(-1));
+      host.resized();
+    });
+    try {
+      observer.observe(stage, { box: "device-pixel-content-box" });
+    } catch {
+      observer.observe(stage);
+    }
+    signal.addEventListener("abort", () => observer.disconnect());
+    const watchRatio = () => {
+      const query = matchMedia(`(resolution: ${devicePixelRatio}dppx)`);
+      const follow = () => {
+        this.#measure(null);
+        host.stale();
+        watchRatio();
+      };
+      query.addEventListener("change", follow, { once: true, signal });
+    };
+    watchRatio();
+    this.#measure(null);
+  }
+
+  #measure(entry) {
+    const { clientWidth, clientHeight } = this.#stage;
+    const rounded = [Math.round(clientWidth * devicePixelRatio), Math.round(clientHeight * devicePixelRatio)];
+    const box = entry?.devicePixelContentBoxSize?.[0];
+    const exact = box ? [box.inlineSize, box.blockSize] : rounded;
+    // A browser that plays another device reports the pixels of the real one here.
+    const sound = exact.every((size, i) => Math.abs(size - rounded[i]) <= Math.ceil(devicePixelRatio));
+    this.#device = sound ? exact : rounded;
+  }
+
+  /**
+   * Gives the canvas its pixels and tells `resize` the CSS size that goes with them; does nothing when both are as before.
+   * @param {WebGL2RenderingContext} gl of that canvas
+   * @param {(widthCss: number, heightCss: number, devicePixelRatio: number) => void} resize
+   */
+  apply(gl, resize) {
+    let [width, height] = this.#device;
+    let ratio = devicePixelRatio;
+    const limit = gl.getParameter(gl.MAX_RENDERBUFFER_SIZE) || 4096;
+    const shrink = Math.max(1, width / limit, height / limit);
+    if (shrink > 1) [width, height, ratio] = [Math.floor(width / shrink), Math.floor(height / shrink), ratio / shrink];
+    const size = `${width} ${height} ${ratio}`;
+    if (size === this.#applied) return;
+    this.#applied = size;
+    this.#canvas.width = width;
+    this.#canvas.height = height;
+    resize(width / ratio, height / ratio, ratio);
+  }
+}

@@ -1,0 +1,31 @@
+/** What keys mean to the editor as a whole, wherever in it the focus is. Lines, switches and choices take theirs first. */
+
+const kViewKeys = { 0: "three-quarter", 1: "front", 3: "right", 7: "top" };
+
+/**
+ * The command that a pressed key stands for, to be called; null for none.
+ * @param {KeyboardEvent} event
+ * @param {import("./dimline_editor.js").DimlineEditor} editor
+ * @param {() => void} peek shows hidden lines until the key is let go
+ */
+export function commandOf(event, editor, peek) {
+  if (event.altKey) return null;
+  return event.ctrlKey || event.metaKey ? chordOf(event, editor) : plainKeyOf(event, editor, peek);
+}
+
+function plainKeyOf(event, editor, peek) {
+  const key = event.shiftKey ? "" : event.key.toLowerCase();
+  if (key === "f") return () => editor.fitToView();
+  if (key === "h") return peek;
+  if (key === "m") return () => (editor.measuresShown = !editor.measuresShown);
+  if (event.key === "5") return () => (editor.orthographic = !editor.orthographic);
+  const view = kViewKeys[event.key];
+  return view && (() => editor.setView(view));
+}
+
+function chordOf(event, editor) {
+  const key = event.key.toLowerCase();
+  if (key === "z") return event.shiftKey ? () => editor.redo() : () => editor.undo();
+  if (key === "y") return () => editor.redo();
+  return null;
+}
