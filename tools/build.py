@@ -17,16 +17,18 @@ class BuildError(Exception):
 
 
 class Progress:
-    """The steps of a build: one line that is redrawn on a terminal, now and then a line of its own elsewhere."""
+    """The steps of a build: one line that is redrawn on a terminal, now and then a line of its own elsewhere; or nothing."""
 
-    def __init__(self, name: str, stream=sys.stdout):
-        self.name, self.stream = name, stream
+    def __init__(self, name: str, stream=sys.stdout, quiet: bool = False):
+        self.name, self.stream, self.quiet = name, stream, quiet
         self.terminal = stream.isatty()
         self.last = time.monotonic()
         self.shown = False
 
     def step(self, done: int, total: int) -> None:
         now = time.monotonic()
+        if self.quiet:
+            return
         if self.terminal:
             print(f"\r  building {self.name}: {done} of {total}", end="", file=self.stream, flush=True)
             self.shown = True
@@ -39,12 +41,14 @@ class Progress:
             print("\r\033[K", end="", file=self.stream, flush=True)
 
 
-def stream_build(command, name: str) -> None:
+def stream_build(command, name: str, background: bool = False) -> None:
     """Runs a build command and follows its steps; raises BuildError with what it wrote beside them."""
     environment = dict(os.environ, NINJA_STATUS="[%f/%t] ")
+    if background:
+        command = ["nice", "-n", "19", *command]
     process = subprocess.Popen(command, cwd=ROOT, env=environment, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
                                text=True, errors="replace")
-    progress, output = Progress(name), []
+    progress, output = Progress(name, quiet=background), []
     for line in process.stdout:
         match = STEP.match(line)
         if match:
@@ -56,12 +60,13 @@ def stream_build(command, name: str) -> None:
         raise BuildError("".join(output).strip())
 
 
-def build(preset: str, keep_going: bool = False) -> None:
+def build(preset: str, keep_going: bool = False, background: bool = False) -> None:
     """Configures the preset when that was never done, and builds what is stale. Raises BuildError.
 
     keep_going: build all that can be built, so that one run shows every file that fails.
+    background: without a word, and with the processor time alone that other work leaves idle.
     """
     folder = ROOT / "build" / preset
     if not (folder / "build.ninja").exists():
-        stream_build(["cmake", "--preset", preset], preset)
-    stream_build(["cmake", "--build", str(folder), *(["--", "-k", "0"] if keep_going else [])], preset)
+        stream_build(["cmake", "--preset", preset], preset, background)
+    stream_build(["cmake", "--build", str(folder), *(["--", "-k", "0"] if keep_going else [])], preset, background)

@@ -22,7 +22,7 @@ import threading
 import time
 import traceback
 import unittest
-from concurrent.futures import ThreadPoolExecutor
+from concurrent.futures import Future, ThreadPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -36,6 +36,7 @@ ROOT = Path(__file__).resolve().parent.parent
 GL_FOLDERS = ("gpu", "render")
 EXECUTABLE_LIMIT_S = 900
 SCRIPT_LIMIT_S = 600
+SCRIPTS_AT_ONCE = 2  # a page waits for frames half of its time; more at once would wait for each other
 HEAD_LINES, TAIL_LINES = 60, 60  # of a failure's output that are shown
 
 
@@ -96,6 +97,33 @@ def settle(result: Result, status: int) -> Result:
     return result
 
 
+# Builds. One that a later part needs is begun early and takes what the parts before leave idle: linking is one thread's work, and a
+# page waits for its next frame now and then.
+
+meanwhile = {}  # preset -> Future of its build
+
+
+def build_meanwhile(preset: str) -> None:
+    done = Future()
+
+    def work():
+        try:
+            done.set_result(build.build(preset, keep_going=True, background=True))
+        except Exception as error:
+            done.set_exception(error)
+
+    threading.Thread(target=work, daemon=True).start()
+    meanwhile[preset] = done
+
+
+def wait_for_build(preset: str) -> None:
+    """Builds the preset, or waits until it is. Raises BuildError."""
+    if preset in meanwhile:
+        meanwhile.pop(preset).result()
+    else:
+        build.build(preset, keep_going=True)
+
+
 # Native executables (Catch2)
 
 
@@ -139,7 +167,7 @@ def run_executable(preset: str, folder: str) -> Result:
 
 
 def native_part(preset: str, match: str):
-    build.build(preset, keep_going=True)
+    wait_for_build(preset)
     folders = test_folders(match)
     if not folders:
         yield failure(preset, "there are no test executables to run")
@@ -185,8 +213,8 @@ def script_part(folder: str, match: str, environment: dict):
     files = [file for file in sorted((ROOT / "tests" / folder).glob("*.test.mjs")) if match in file.name]
     if not files:
         yield failure(folder, f"there are no tests/{folder}/*.test.mjs to run")
-    for file in files:
-        yield run_script(file, environment)
+    with ThreadPoolExecutor(max_workers=SCRIPTS_AT_ONCE) as pool:
+        yield from pool.map(lambda file: run_script(file, environment), files)
 
 
 def node_part(match: str):
@@ -241,7 +269,7 @@ def wasm_part(match: str):
     yield result
 
 
-# The order in which they run: what is quick and what fails early first.
+# The order in which they run: what is quick and what fails early first. MEANWHILE: the preset that is built beside a part.
 PARTS = {
     "includes": includes_part,
     "tools": tools_part,
@@ -251,6 +279,7 @@ PARTS = {
     "browser": browser_part,
     "asan": lambda match: native_part("asan", match),
 }
+MEANWHILE = {"wasm": "asan"}
 
 
 def run_part(name: str, part, match: str) -> list:
@@ -302,6 +331,8 @@ def main() -> int:
     failures = []
     for name, part in PARTS.items():
         if name in options.only:
+            if MEANWHILE.get(name) in options.only:
+                build_meanwhile(MEANWHILE[name])
             of_part = run_part(name, part, options.match)
             failures += [f"FAILED in {name}: {result.name} ({result.failed})" for result in of_part if result.failed]
             results += of_part

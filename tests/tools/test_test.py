@@ -4,6 +4,8 @@ import re
 import subprocess
 import sys
 import tempfile
+import threading
+import time
 import unittest
 from pathlib import Path
 from unittest import mock
@@ -115,6 +117,42 @@ class Runs(unittest.TestCase):
             self.assertEqual(test.totals(test.run_part("native", broken, "")), (0, 1))
             self.assertEqual(test.totals(test.run_part("native", breaks_midway, "")), (3, 1))
             self.assertEqual(test.totals(test.run_part("native", lambda match: iter(()), "")), (0, 1))
+
+    def test_a_build_that_was_begun_early_is_waited_for_and_done_once(self):
+        def slow_build(preset, **options):
+            time.sleep(0.3)
+            built.append((preset, options))
+
+        built = []
+        with mock.patch.object(build, "build", slow_build):
+            test.build_meanwhile("asan")
+            self.assertEqual(built, [])
+            test.wait_for_build("asan")
+            self.assertEqual(built, [("asan", {"keep_going": True, "background": True})])
+            test.wait_for_build("native")
+        self.assertEqual(built[1:], [("native", {"keep_going": True})])
+
+    def test_a_build_that_was_begun_early_and_failed_fails_where_it_is_waited_for(self):
+        with mock.patch.object(build, "build", side_effect=build.BuildError("error: no such thing")):
+            test.build_meanwhile("asan")
+            with self.assertRaises(build.BuildError):
+                test.wait_for_build("asan")
+
+    def test_files_run_beside_each_other_and_are_told_in_order(self):
+        both_run = threading.Barrier(2, timeout=30)
+
+        def run(file, environment):
+            both_run.wait()
+            return test.Result(file.name, passed=1)
+
+        with tempfile.TemporaryDirectory() as folder, mock.patch.object(test, "ROOT", Path(folder)), \
+                mock.patch.object(test, "run_script", run):
+            for name in ("a", "b", "c", "d"):
+                file = Path(folder) / f"tests/node/{name}.test.mjs"
+                file.parent.mkdir(parents=True, exist_ok=True)
+                file.touch()
+            names = [result.name for result in test.script_part("node", "", {})]
+        self.assertEqual(names, [f"{name}.test.mjs" for name in ("a", "b", "c", "d")])
 
     def test_description_shows_the_output_of_a_failure_alone(self):
         self.assertNotIn("noise", test.describe(test.Result("a", passed=1, output="noise")))
