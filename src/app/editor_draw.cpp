@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include "app/editor_state.h"
@@ -5,6 +6,49 @@
 #include "editing/arc_projection.h"
 
 namespace dimline {
+
+namespace {
+
+/// Up to so many boxes are marked with all their edges and at full strength; and no more edges than that are drawn at all.
+constexpr double kScopesInFull = 8;
+constexpr std::size_t kMostEdges = 1500;
+
+/// Adds the twelve edges of a box on screen. An edge is behind when both faces that meet in it are turned away.
+void addBoxEdges(const Obb& box, const View& view, float opacity, bool farSide, std::vector<OverlayEdge>& edges) {
+  bool facing[3][2];
+  for (int axis = 0; axis < 3; ++axis) {
+    for (int side = 0; side < 2; ++side) {
+      Vec3 middle(0.5);
+      middle[axis] = side;
+      const Vec3 at = box.at(middle);
+      const Vec3 outward = box.axes[static_cast<std::size_t>(axis)] * (side == 0 ? -1.0 : 1.0);
+      facing[axis][side] = glm::dot(outward, view.directionTo(at)) < 0;
+    }
+  }
+  for (int axis = 0; axis < 3; ++axis) {
+    if (!(box.size[axis] > 0)) continue;
+    const int first = (axis + 1) % 3;
+    const int second = (axis + 2) % 3;
+    for (int corner = 0; corner < 4; ++corner) {
+      const int a = corner & 1;
+      const int b = corner >> 1;
+      // A box without thickness has each of its edges once.
+      if ((a == 1 && !(box.size[first] > 0)) || (b == 1 && !(box.size[second] > 0))) continue;
+      const bool behind = !facing[first][a] && !facing[second][b];
+      if (behind && !farSide) continue;
+      Vec3 from(0.0);
+      from[first] = a;
+      from[second] = b;
+      Vec3 to = from;
+      to[axis] = 1;
+      const Segment edge{box.at(from), box.at(to)};
+      if (!view.inFrontOfNear(edge.start) || !view.inFrontOfNear(edge.end)) continue;
+      edges.push_back({view.toScreen(edge), behind, opacity});
+    }
+  }
+}
+
+}  // namespace
 
 Status Editor::attachRenderer() {
   State& s = *state_;
@@ -95,6 +139,37 @@ void Editor::State::buildOverlayHandles() {
     add(drawn.others[i], otherStates[i].opacity, otherStates[i], otherScales[i]);
 }
 
+/// What a drag shows beside its line, and the scopes that the parameter under the pointer drives.
+void Editor::State::buildOverlayMarks() {
+  dragMarks.clear();
+  overlayEdges.clear();
+  if (!linesShown) return;
+  const double share = std::clamp((nowMs - hoverChangedMs) / kHoverMs, 0.0, 1.0);
+  if (drag) {
+    drag->addMarks(values.at(drag->parameter()), drawn.view, dragSnap, dragMarks);
+    markScopes(drag->parameter(), drawn.view, 1.0);
+    return;
+  }
+  if (hovered) markScopes(hovered->parameter, drawn.view, hoveredBefore && hoveredBefore->parameter == hovered->parameter ? 1.0 : share);
+  if (hoveredBefore && share < 1.0 && !(hovered && hovered->parameter == hoveredBefore->parameter)) {
+    markScopes(hoveredBefore->parameter, drawn.view, 1.0 - share);
+  }
+}
+
+/// Marks the edges of the boxes of those scopes in sight that a parameter's annotation names.
+void Editor::State::markScopes(std::size_t parameter, const View& view, double share) {
+  const auto& annotation = model.annotations[parameter];
+  if (!annotation) return;
+  const auto ofIt = [&](std::size_t i) { return i < scene.scopes.size() && scene.scopes[i].name == annotation->scope; };
+  const auto count = std::ranges::count_if(placed.visibleScopes, ofIt);
+  // Many boxes together would be a thicket; each is the quieter, and its far side is left out.
+  const auto opacity = static_cast<float>(share * std::clamp(kScopesInFull / static_cast<double>(std::max<std::ptrdiff_t>(count, 1)), 0.4, 1.0));
+  for (const std::size_t i : placed.visibleScopes) {
+    if (ofIt(i)) addBoxEdges(scene.scopes[i].box, view, opacity, static_cast<double>(count) <= kScopesInFull, overlayEdges);
+    if (overlayEdges.size() >= kMostEdges) return;
+  }
+}
+
 void Editor::State::draw(const View& view) {
   if (!renderer) return;
   quality.noteFrame(nowMs, pictureStale);
@@ -103,13 +178,14 @@ void Editor::State::draw(const View& view) {
   const Stopwatch watch;
   buildOverlayLines();
   buildOverlayHandles();
+  buildOverlayMarks();
 
   RenderOptions options;
   options.widthPx = static_cast<int>(std::lround(widthPx * devicePixelRatio));
   options.heightPx = static_cast<int>(std::lround(heightPx * devicePixelRatio));
   options.devicePixelRatio = devicePixelRatio;
   options.quality = wanted;
-  const Overlay overlay{overlayLines, overlayArcs, overlayLeaders};
+  const Overlay overlay{overlayLines, overlayArcs, overlayLeaders, dragMarks, overlayEdges};
   // A picture that cannot be drawn now will not be drawable in the next frame either: no reason to ask for one.
   if (Status status = renderer->draw(view, overlay, options); !status) problem = status.error().message;
   drawnQuality = wanted;

@@ -9,8 +9,7 @@ namespace dimline {
 
 namespace {
 
-/// ms. A handle grows under the pointer, and shrinks again, in this time; by this factor (paper 5, "Hover behavior").
-constexpr double kHoverMs = 100.0;
+/// A handle grows under the pointer by this factor (paper 5, "Hover behavior").
 constexpr double kHoverScale = 1.35;
 
 /// ms. While something moves, which scopes are seen is measured this often: it is the dearest part of a frame, and

@@ -24,6 +24,9 @@
 
 namespace dimline {
 
+/// ms. What is under the pointer is shown as such, and is so no more, in this time.
+inline constexpr double kHoverMs = 100.0;
+
 /// Which handle, by what stays the same when lines are placed anew.
 struct HandleKey {
   std::size_t parameter = 0;
@@ -49,6 +52,9 @@ public:
   }
   double valueAt(const Vec2& pointer, const View& view, Snap snap) {
     return std::visit([&](auto& drag) { return drag.valueAt(pointer, view, snap); }, drag_);
+  }
+  void addMarks(double value, const View& view, Snap snap, std::vector<DragMark>& marks) {
+    std::visit([&](auto& drag) { drag.addMarks(value, view, snap, marks); }, drag_);
   }
   /// Null when it is the other one.
   [[nodiscard]] const HandleDrag* line() const { return std::get_if<HandleDrag>(&drag_); }
@@ -142,6 +148,8 @@ struct Editor::State {
   std::vector<OverlayArc> overlayArcs;
   std::vector<OverlayLeader> overlayLeaders;
   std::vector<std::vector<Vec2>> arcPoints;  ///< what overlayArcs point to
+  std::vector<DragMark> dragMarks;
+  std::vector<OverlayEdge> overlayEdges;
 
   // editor.cpp
   [[nodiscard]] bool hasSize() const { return widthPx >= 1 && heightPx >= 1; }
@@ -194,6 +202,8 @@ struct Editor::State {
   void draw(const View& view);
   void buildOverlayLines();
   void buildOverlayHandles();
+  void buildOverlayMarks();
+  void markScopes(std::size_t parameter, const View& view, double share);
   void uploadScene();
   [[nodiscard]] bool wantsBetterPicture() const { return renderer && drawnQuality != RenderQuality::kFull; }
 };

@@ -95,6 +95,32 @@ double ArcDrag::valueAt(const Vec2& pointer, const View& view, Snap snap) {
   return lastValue_ = snapValue(snapped, best);
 }
 
+void ArcDrag::addMarks(double value, const View& view, Snap snap, std::vector<DragMark>& marks) const {
+  const Arc& arc = *handle_.arc;
+  const Parameter parameter = snappedBy(model_->parameters()[handle_.parameter], snap);
+  const double start = startValues_.at(handle_.parameter);
+  const auto placeOf = [&](double deg) -> std::optional<Vec2> {
+    const Vec3 place = arc.at(deg * kRadPerDeg);
+    if (!view.inFrontOfNear(place)) return std::nullopt;
+    return view.toScreen(place);
+  };
+  const auto addBar = [&](double deg, DragMark::Kind kind) {
+    const auto at = placeOf(deg);
+    const auto beside = placeOf(deg + 0.1);
+    if (!at || !beside || !(glm::length(*beside - *at) > 0) || !view.viewport().overlaps({*at, *at})) return;
+    marks.push_back({kind, barAcross(*at, glm::normalize(*beside - *at), halfLengthPx(kind))});
+  };
+  if (value != start) {
+    const auto from = placeOf(start);
+    if (from && view.inFrontOfNear(arc.center)) marks.push_back({DragMark::Kind::kGhost, {view.toScreen(arc.center), *from}});
+    addBar(start, DragMark::Kind::kGhost);
+  }
+  addTicks(parameter, value, placeOf, marks);
+  for (const double limit : {parameter.min, parameter.max}) {
+    addBar(limit, value == limit ? DragMark::Kind::kLimitReached : DragMark::Kind::kLimit);
+  }
+}
+
 std::optional<PlacedHandle> ArcDrag::handleOn(const Values& values, const View& view) const {
   PlacedHandle handle = handle_;
   handle.value = values.at(handle.parameter);

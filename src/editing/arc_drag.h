@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "editing/drag_marks.h"
 #include "editing/snap.h"
 #include "model/model.h"
 #include "placement/layout.h"
@@ -22,6 +23,9 @@ public:
   /// The angle (degrees) whose leg points from the centre to the pointer on screen; of those that `snap` allows, in the range. The value of the start when the pointer is
   /// where it was then, and the last value when it is on the centre or not a number. The camera must be the one of begin(); the viewport may have changed.
   double valueAt(const Vec2& pointer, const View& view, Snap snap = Snap::kStep);
+
+  /// As HandleDrag::addMarks().
+  void addMarks(double value, const View& view, Snap snap, std::vector<DragMark>& marks) const;
 
   /// The dragged handle for other values. Nothing when `view` cannot show it.
   [[nodiscard]] std::optional<PlacedHandle> handleOn(const Values& values, const View& view) const;

@@ -185,6 +185,49 @@ Segment HandleDrag::keptInPlace(const Segment& base) const {
   return atEnd_ ? Segment{line_.base.start, line_.base.start + along} : Segment{line_.base.end - along, line_.base.end};
 }
 
+void HandleDrag::addMarks(double value, const View& view, Snap snap, std::vector<DragMark>& marks) {
+  const Parameter parameter = snappedBy(model_->parameters()[line_.parameter], snap);
+  const Reach reach = [this](double at) { return endAt(at); };
+  ValueSearch& tried = search(snap);
+  const auto slope = tried.straightSlope(reach);
+  const double startValue = startValues_.at(line_.parameter);
+  const auto screenAt = [&](double endM) -> std::optional<Vec2> {
+    const Vec3 place = endOf(line_.line) + direction_ * endM;
+    if (!view.inFrontOfNear(place)) return std::nullopt;
+    return view.toScreen(place);
+  };
+  const Segment2 old = view.toScreen(line_.line);
+  const Vec2 along = glm::normalize(old.end - old.start);
+
+  if (value != startValue) {
+    marks.push_back({DragMark::Kind::kGhost, old});
+    marks.push_back({DragMark::Kind::kGhost, barAcross(atEnd_ ? old.end : old.start, along, halfLengthPx(DragMark::Kind::kGhost))});
+  }
+  const auto addLimit = [&](double limit, std::optional<double> endM) {
+    const auto at = endM ? screenAt(*endM) : std::nullopt;
+    if (!at || !view.viewport().overlaps({*at, *at})) return;
+    const auto kind = value == limit ? DragMark::Kind::kLimitReached : DragMark::Kind::kLimit;
+    marks.push_back({kind, barAcross(*at, along, halfLengthPx(kind))});
+  };
+  if (slope) {
+    const auto placeOf = [&](double at) { return screenAt(*slope * (at - startValue)); };
+    addTicks(parameter, value, placeOf, marks);
+    for (const double limit : {parameter.min, parameter.max}) addLimit(limit, *slope * (limit - startValue));
+    return;
+  }
+  // Ends that were met on the way, each once.
+  const auto handle = screenAt(endAt(value).value_or(0.0));
+  std::optional<Vec2> last;
+  for (const auto& [at, endM] : tried.known()) {
+    if (at == parameter.min || at == parameter.max) addLimit(at, endM);
+    const auto place = endM ? screenAt(*endM) : std::nullopt;
+    if (!place || !handle || (last && glm::length(*place - *last) < kTickGapPx)) continue;
+    last = place;
+    const double strength = 1.0 - glm::length(*place - *handle) / kTickReachPx;
+    if (strength > 0) marks.push_back({DragMark::Kind::kTick, barAcross(*place, along, halfLengthPx(DragMark::Kind::kTick)), strength});
+  }
+}
+
 std::optional<PlacedLine> HandleDrag::lineOn(const Scene& scene, const Values& values, const View& view) const {
   const auto tracked = track(scene);
   if (!tracked) return std::nullopt;

@@ -3,6 +3,7 @@
 #include <array>
 #include <optional>
 
+#include "editing/drag_marks.h"
 #include "editing/line_projection.h"
 #include "editing/snap.h"
 #include "editing/value_search.h"
@@ -47,6 +48,10 @@ public:
   /// The dragged line on a rebuilt scene, in the world and as `view` shows it. Nothing when the model has no such scope
   /// any more or the line cannot be projected.
   [[nodiscard]] std::optional<PlacedLine> lineOn(const Scene& scene, const Values& values, const View& view) const;
+
+  /// Adds what is shown beside the line while it has this value: the old extent, the values that come next, the ends of the range. Where the rule is rounded or
+  /// bent, of the values only those are known that were tried. `view`: of the same camera as begin()'s.
+  void addMarks(double value, const View& view, Snap snap, std::vector<DragMark>& marks);
 
   /// How often the model was evaluated so far.
   [[nodiscard]] int evaluations() const;

@@ -151,6 +151,12 @@ void ValueSearch::measureSlope(const Reach& reach) {
   chooseStep();
 }
 
+std::optional<double> ValueSearch::straightSlope(const Reach& reach) {
+  if (!(max_ > min_)) return std::nullopt;
+  if (!measured_) measureSlope(reach);
+  return straight_ ? std::optional(slope_) : std::nullopt;
+}
+
 void ValueSearch::chooseStep() {
   const double range = max_ - min_;
   stepSize_ = parameter_.step;

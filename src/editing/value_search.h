@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -31,6 +32,13 @@ public:
 
   /// The value for an end at `targetM`, any number but NaN.
   double find(double targetM, const Reach& reach);
+
+  /// Metres that the end moves when the value grows by one, where that is the same everywhere (measured by a few tries the first time it is asked for);
+  /// nothing where the rule is rounded or bent.
+  std::optional<double> straightSlope(const Reach& reach);
+
+  /// The values that were tried so far, in ascending order, and where they end.
+  [[nodiscard]] std::span<const std::pair<double, std::optional<double>>> known() const { return known_; }
 
   /// How often `reach` was called so far.
   [[nodiscard]] int evaluations() const { return evaluations_; }

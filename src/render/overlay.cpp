@@ -32,6 +32,17 @@ constexpr double kHighlightOffset = 0.28;
 constexpr float kHighlightOpacity = 0.45F;
 /// px. Radius of the dot with which a leader begins.
 constexpr double kAnchorRadiusPx = 2.5;
+/// A drag's marks are quieter than the line they stand beside: widths (px) and opacities.
+constexpr double kTickWidthPx = 1.0;
+constexpr float kTickOpacity = 0.6F;
+constexpr double kLimitWidthPx = 1.5;
+constexpr float kLimitOpacity = 0.55F;
+constexpr double kLimitReachedWidthPx = 2.5;
+constexpr float kGhostOpacity = 0.35F;
+/// Edges of a scope that a parameter drives, on the near side of the box and on the far one.
+constexpr double kEdgeWidthPx = 1.25;
+constexpr float kEdgeOpacity = 0.75F;
+constexpr float kEdgeBehindOpacity = 0.2F;
 /// A colour of the author's under the pointer is so much darker.
 constexpr float kLitShade = 0.8F;
 
@@ -353,6 +364,36 @@ void addArc(const OverlayArc& arc, bool halo, const Theme& theme, ShapeList& lis
   }
 }
 
+bool drawable(const OverlayEdge& edge) {
+  return edge.opacity > 0.0F && finite(edge.line.start) && finite(edge.line.end) && edge.line.length() > 0.5;
+}
+
+/// Edges have a soft border of white, so that they are seen on dark walls too.
+void addEdge(const OverlayEdge& edge, const Theme& theme, ShapeList& list) {
+  const float opacity = edge.opacity * (edge.behind ? kEdgeBehindOpacity : kEdgeOpacity);
+  if (!edge.behind) list.strokeHalo(edge.line, kEdgeWidthPx, pack(theme.halo, opacity * kExtensionHaloOpacity));
+  list.stroke(edge.line, kEdgeWidthPx, 0.0, pack(theme.handleHovered, opacity));
+}
+
+void addMark(const DragMark& mark, const Theme& theme, ShapeList& list) {
+  const auto strength = static_cast<float>(mark.strength);
+  switch (mark.kind) {
+    case DragMark::Kind::kTick:
+    case DragMark::Kind::kLongTick:
+      list.stroke(mark.line, kTickWidthPx, 0.0, pack(theme.line, kTickOpacity * strength));
+      break;
+    case DragMark::Kind::kLimit:
+      list.stroke(mark.line, kLimitWidthPx, 0.0, pack(theme.line, kLimitOpacity * strength));
+      break;
+    case DragMark::Kind::kLimitReached:
+      list.stroke(mark.line, kLimitReachedWidthPx, 0.0, pack(theme.handleHovered, strength));
+      break;
+    case DragMark::Kind::kGhost:
+      list.stroke(mark.line, kLineWidthPx, 0.0, pack(theme.line, kGhostOpacity * strength));
+      break;
+  }
+}
+
 }  // namespace
 
 std::optional<glm::vec4> overlayColor(const LineLook& look) {
@@ -363,6 +404,9 @@ std::optional<glm::vec4> overlayColor(const LineLook& look) {
 
 void buildOverlay(const Overlay& overlay, const Theme& theme, std::vector<OverlayShape>& shapes) {
   ShapeList list(shapes);
+  for (const OverlayEdge& edge : overlay.edges) {
+    if (drawable(edge)) addEdge(edge, theme, list);
+  }
   list.beginLayer();
   addHairs(overlay, true, theme, list);
   for (const OverlayLine& line : overlay.lines) {
@@ -373,6 +417,9 @@ void buildOverlay(const Overlay& overlay, const Theme& theme, std::vector<Overla
   }
   list.beginLayer();
   addHairs(overlay, false, theme, list);
+  for (const DragMark& mark : overlay.marks) {
+    if (finite(mark.line.start) && finite(mark.line.end)) addMark(mark, theme, list);
+  }
   for (const OverlayLine& line : overlay.lines) {
     if (drawable(line)) addInk(line, theme, list);
   }

@@ -7,6 +7,7 @@
 
 #include <glm/vec2.hpp>
 
+#include "editing/drag_marks.h"
 #include "math/geometry.h"
 #include "placement/layout.h"
 #include "render/theme.h"
@@ -61,11 +62,20 @@ struct OverlayLeader {
   float opacity = 1.0F;
 };
 
+/// An edge of a scope's box that is marked since a parameter drives the scope.
+struct OverlayEdge {
+  Segment2 line;
+  bool behind = false;      ///< on the far side of its box
+  float opacity = 1.0F;
+};
+
 /// All that is drawn over the picture in one frame.
 struct Overlay {
   std::span<const OverlayLine> lines{};
   std::span<const OverlayArc> arcs{};
   std::span<const OverlayLeader> leaders{};
+  std::span<const DragMark> marks{};
+  std::span<const OverlayEdge> edges{};
 };
 
 /// A stroke, an arrowhead or a dot, ready for the GPU, which draws it anti-aliased at device pixels.
@@ -89,7 +99,7 @@ struct OverlayShape {
 /// The colour that an author gave a line, if any.
 std::optional<glm::vec4> overlayColor(const LineLook& look);
 
-/// Turns an overlay into shapes, in drawing order: all halos, then extension lines, legs and leaders, then lines, arcs and their ends. Replaces the contents of
+/// Turns an overlay into shapes, in drawing order: edges of scopes, all halos, then extension lines, legs and leaders, then a drag's marks, then lines, arcs and their ends. Replaces the contents of
 /// `shapes`; allocates only when it grows. What is invisible or not finite is left out.
 void buildOverlay(const Overlay& overlay, const Theme& theme, std::vector<OverlayShape>& shapes);
 
