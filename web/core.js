@@ -222,6 +222,10 @@ export class Core {
   cancelGesture() {
     this.#editor.cancelGesture();
   }
+  /** The browser took this pointer away: what it was doing is undone exactly; what others do goes on. */
+  cancelPointer(id) {
+    this.#editor.cancelPointer(id);
+  }
   wheel(x, y, deltaPx, modifiers) {
     this.#editor.wheel(x, y, deltaPx, modifiers);
   }

@@ -112,6 +112,8 @@ class Editor {
   void pointerUp(const PointerInput& input);
   /// The browser took the pointer away, or Esc: the gesture is undone exactly.
   void cancelGesture();
+  /// The same for one pointer: a gesture of others goes on. Of two fingers that move the camera either takes back what both did.
+  void cancelPointer(int id);
   void wheel(const Vec2& screen, double deltaPx, const Modifiers& modifiers);
   /// What is being dragged, and what that has led to.
   struct Gesture {

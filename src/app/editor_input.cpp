@@ -93,6 +93,14 @@ void Editor::cancelGesture() {
   }
 }
 
+void Editor::cancelPointer(int id) {
+  const State& s = *state_;
+  const auto& camera = s.cameraGesture;
+  const bool ofCamera =
+      camera && (id == camera->first.id || (camera->kind == CameraGesture::Kind::kTwoFingers && id == camera->second.id));
+  if ((s.drag && id == s.dragPointer) || ofCamera) cancelGesture();
+}
+
 void Editor::wheel(const Vec2& screen, double deltaPx, const Modifiers& modifiers) {
   State& s = *state_;
   if (!finite(screen) || !std::isfinite(deltaPx) || !s.loaded || !s.hasSize() || s.drag || s.cameraGesture) return;

@@ -231,6 +231,7 @@ public:
   }
   void endHover() { editor_.endHover(); }
   void cancelGesture() { editor_.cancelGesture(); }
+  void cancelPointer(int id) { editor_.cancelPointer(id); }
   [[nodiscard]] std::string gestureJson() const {
     const auto gesture = editor_.gesture();
     if (!gesture) return "null";
@@ -482,6 +483,7 @@ EMSCRIPTEN_BINDINGS(dimline) {
       .function("hover", &EditorBinding::hover)
       .function("endHover", &EditorBinding::endHover)
       .function("cancelGesture", &EditorBinding::cancelGesture)
+      .function("cancelPointer", &EditorBinding::cancelPointer)
       .function("wheel", &EditorBinding::wheel)
       .function("attachContext", &EditorBinding::attachContext)
       .function("detachContext", &EditorBinding::detachContext)

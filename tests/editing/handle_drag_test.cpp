@@ -300,6 +300,27 @@ TEST_CASE("a pointer that is nowhere changes nothing") {
   REQUIRE(drag->valueAt({nan, nan}, desk.view) == 8.6);
 }
 
+TEST_CASE("beside the dragged line stand the old extent, once there is another, and the limits that are on screen") {
+  const Desk desk(boxWithDoor(), frontCamera());
+  const PlacedLine line = desk.line("Height", 0, {-0.5, 0, 0});
+  auto drag = desk.grab(line, true);
+  const auto countAt = [&](double value, DragMark::Kind kind) {
+    std::vector<DragMark> marks;
+    drag->addMarks(value, desk.view, Snap::kStep, marks);
+    return std::ranges::count(marks, kind, &DragMark::kind);
+  };
+  REQUIRE(countAt(5, DragMark::Kind::kGhost) == 0);
+  REQUIRE(countAt(6, DragMark::Kind::kGhost) == 2);
+  REQUIRE(countAt(5, DragMark::Kind::kTick) > 5);
+  REQUIRE(countAt(5, DragMark::Kind::kLimit) == 1);  // 0.5 m; 20 m is above the picture
+  REQUIRE(countAt(0.5, DragMark::Kind::kLimitReached) == 1);
+  std::vector<DragMark> marks;
+  drag->addMarks(6, desk.view, Snap::kNone, marks);
+  REQUIRE(std::ranges::count(marks, DragMark::Kind::kTick, &DragMark::kind) == 0);
+  const auto ghost = std::ranges::find(marks, DragMark::Kind::kGhost, &DragMark::kind);
+  REQUIRE(glm::length(ghost->line.end - line.lineScreen.end) < 1e-9);
+}
+
 TEST_CASE(
     "under any camera the end comes to the pointer as near as a step allows, and back at the start is the value of the "
     "start") {

@@ -1,0 +1,139 @@
+#include <catch2/catch.hpp>
+
+#include <cstring>
+
+#include "app/editor_stage.h"
+#include "models/models.h"
+
+// What must hold for every built-in model: nothing is left behind by a drag that is taken back, in whichever way.
+
+using namespace dimline;
+using namespace dimline::test;
+
+namespace {
+
+template <typename T>
+void append(std::vector<unsigned char>& bytes, const std::vector<T>& things) {
+  static_assert(std::is_trivially_copyable_v<T>);
+  const auto* first = reinterpret_cast<const unsigned char*>(things.data());
+  bytes.insert(bytes.end(), first, first + things.size() * sizeof(T));
+}
+
+/// All that a scene shows, as bytes.
+std::vector<unsigned char> bytesOf(const Scene& scene) {
+  std::vector<unsigned char> bytes;
+  for (const Mesh& mesh : scene.meshes) {
+    append(bytes, mesh.positions);
+    append(bytes, mesh.triangles);
+    append(bytes, mesh.materials);
+    append(bytes, mesh.normals);
+    append(bytes, mesh.uvs);
+  }
+  std::vector<glm::mat4> transforms;
+  for (const Instance& instance : scene.instances) transforms.push_back(instance.transform);
+  append(bytes, transforms);
+  std::vector<Obb> boxes;
+  for (const Scope& scope : scene.scopes) boxes.push_back(scope.box);
+  append(bytes, boxes);
+  return bytes;
+}
+
+/// One draggable end of each parameter in view, as it is drawn: the parameter, where it is, and which way it points.
+struct End {
+  std::size_t parameter = 0;
+  Vec2 at{0.0}, outward{1, 0};
+};
+
+std::vector<End> endsOf(const Layout& layout) {
+  std::vector<End> ends;
+  const auto has = [&](std::size_t parameter) { return std::ranges::find(ends, parameter, &End::parameter) != ends.end(); };
+  for (const PlacedLine& line : layout.lines) {
+    if (line.handles.empty() || has(line.parameter)) continue;
+    const Handle& handle = line.handles.front();
+    const Vec2 along = glm::normalize(line.lineScreen.end - line.lineScreen.start);
+    ends.push_back({line.parameter, handle.screen, handle.atEnd ? along : -along});
+  }
+  for (const PlacedHandle& handle : layout.others) {
+    if (!handle.arc || has(handle.parameter)) continue;
+    const Vec2 tip = layout.view.toScreen(handle.arc->at(handle.arc->angleRad));
+    ends.push_back({handle.parameter, tip, glm::normalize(layout.view.toScreen(handle.arc->at(handle.arc->angleRad + 0.01)) - tip)});
+  }
+  return ends;
+}
+
+}  // namespace
+
+TEST_CASE("in every model, drags that are cancelled, and drags that are undone, leave the very same bytes") {
+  for (const BuiltInModel& builtIn : builtInModels()) {
+    EditorStage stage(builtIn.define());
+    stage.editor.setReducedMotion(true);
+    const Values before = stage.editor.values();
+    const std::vector<unsigned char> bytes = bytesOf(stage.editor.scene());
+    const Layout placed = stage.editor.layout();
+    const std::vector<End> ends = endsOf(placed);
+    INFO(builtIn.name);
+    REQUIRE_FALSE(ends.empty());
+
+    for (const End& end : ends) {
+      INFO(stage.editor.model().parameters()[end.parameter].name);
+      if (stage.down(end.at) != PointerTarget::kHandle) FAIL("no handle at the end of a line");
+      for (const double travelPx : {35.0, -50.0, 90.0}) {
+        stage.move(end.at + end.outward * travelPx);
+        stage.frame();
+      }
+      stage.editor.cancelGesture();
+      CHECK(stage.editor.values() == before);
+      stage.settle();
+    }
+    CHECK(bytesOf(stage.editor.scene()) == bytes);
+    CHECK(sameLayout(placed, stage.editor.layout()));
+    REQUIRE_FALSE(stage.editor.canUndo());
+
+    int changes = 0;
+    for (std::size_t i = 0; i < ends.size(); ++i) {
+      // Where the end is by now, since one drag moves the lines of others.
+      const std::vector<End> now = endsOf(stage.editor.layout());
+      const auto end = std::ranges::find(now, ends[i].parameter, &End::parameter);
+      if (end == now.end()) continue;
+      const Values last = stage.editor.values();
+      stage.drag(end->at, end->at + end->outward * (i % 2 == 0 ? 40.0 : -40.0));
+      changes += stage.editor.values() != last ? 1 : 0;
+      stage.settle();
+    }
+    REQUIRE(changes > 0);
+    for (int i = 0; i < changes; ++i) stage.editor.undo();
+    CHECK_FALSE(stage.editor.canUndo());
+    CHECK(stage.editor.values() == before);
+    stage.settle();
+    CHECK(bytesOf(stage.editor.scene()) == bytes);
+  }
+}
+
+TEST_CASE("a finger that is taken away takes its own gesture along, and no other's") {
+  EditorStage stage;
+  (void)stage.editor.setCamera(orthoFront());
+  stage.settle();
+  const Vec2 at = stage.handle("Width");
+  const auto finger = [](int id, const Vec2& screen) { return PointerInput{.id = id, .kind = PointerKind::kTouch, .screen = screen}; };
+  stage.editor.pointerDown(finger(1, at));
+  stage.editor.pointerMove(finger(1, at + Vec2(25, 0)));
+  REQUIRE(stage.value("Width") == 9);
+  stage.editor.pointerDown(finger(2, stage.handle("Height")));
+  stage.editor.pointerMove(finger(2, {500, 100}));
+  stage.editor.cancelPointer(2);
+  REQUIRE(stage.value("Width") == 9);
+  REQUIRE(stage.value("Height") == 5);
+  stage.editor.pointerMove(finger(1, at + Vec2(50, 0)));
+  REQUIRE(stage.value("Width") == 10);
+  stage.editor.cancelPointer(1);
+  REQUIRE(stage.value("Width") == 8);
+  REQUIRE_FALSE(stage.editor.canUndo());
+
+  const Camera before = stage.editor.camera();
+  stage.editor.pointerDown(finger(1, {400, 480}));
+  stage.editor.pointerDown(finger(2, {600, 480}));
+  stage.editor.pointerMove(finger(2, {700, 500}));
+  REQUIRE(stage.editor.camera().eye != before.eye);
+  stage.editor.cancelPointer(2);
+  REQUIRE(stage.editor.camera().eye == before.eye);
+}
