@@ -3,7 +3,7 @@
  * keyboards and screen readers, a slider. Positions and texts are the core's. Switches and choices are pill_layer.js.
  */
 
-import { keySteps, stepped, valueText } from "./numbers.js";
+import { keySteps, valueText } from "./numbers.js";
 
 // A key with one of these characters begins a number where a line has the focus.
 const kNumberKey = /^[0-9.,(-]$/;
@@ -23,7 +23,7 @@ export class LabelLayer {
 
   /**
    * @param {HTMLElement} layer may hold other things too
-   * @param {{adjust: (name: string, value: number) => void, endAdjusting: () => void, edit: (name: string, text?: string) => void,
+   * @param {{step: (name: string, steps: number) => void, endAdjusting: () => void, edit: (name: string, text?: string) => void,
    *   reset: (name: string) => void}} host
    * @param {AbortSignal} signal
    */
@@ -253,7 +253,7 @@ export class LabelLayer {
     const parameter = this.#parameters.find((p) => p.name === event.target.dataset.name);
     if (!parameter) return;
     const steps = keySteps(event);
-    if (steps !== null) this.#host.adjust(parameter.name, stepped(parameter, steps));
+    if (steps !== null) this.#host.step(parameter.name, steps);
     else if (event.key === "Enter" || event.key === "F2") this.#host.edit(parameter.name);
     else if (event.key === "Delete" || event.key === "Backspace") this.#host.reset(parameter.name);
     else if (kNumberKey.test(event.key)) this.#host.edit(parameter.name, event.key);

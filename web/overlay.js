@@ -6,10 +6,17 @@
 import { cursorAlong, dragDirection } from "./cursors.js";
 import { make } from "./dom.js";
 import { LabelLayer } from "./label_layer.js";
+import { stepped } from "./numbers.js";
 import { PillLayer } from "./pill_layer.js";
 import { Readout } from "./readout.js";
 import { arrange, readingOrder } from "./tab_order.js";
 import { ValueField } from "./value_field.js";
+
+// From the value as it is by now: keys may come faster than frames.
+function step(core, name, steps) {
+  const parameter = core.parameters().find((candidate) => candidate.name === name);
+  core.setParameterContinuous(name, stepped(parameter, steps));
+}
 
 export class Overlay {
   #stage;
@@ -40,7 +47,7 @@ export class Overlay {
     stage.append(this.#handles, box, live);
     const handleHost = {
       changed: host.changed,
-      adjust: (name, value) => host.act((core) => core.setParameterContinuous(name, value)),
+      step: (name, steps) => host.act((core) => step(core, name, steps)),
       endAdjusting: () => host.guard(() => this.#endAdjusting()),
       set: (name, value) => host.act((core) => core.setParameters({ [name]: value })),
       edit: (name, text) => host.guard(() => this.#field.open(name, { text })),

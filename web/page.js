@@ -1,5 +1,6 @@
 import "./dimline_editor.js";
 import { ModelPicker } from "./model_picker.js";
+import { stepped } from "./numbers.js";
 import { Panel } from "./panel.js";
 
 const byId = (id) => document.getElementById(id);
@@ -22,12 +23,17 @@ const picker = new ModelPicker(byId("model"), byId("models"), (name) => (editor.
 
 let sliding = false; // by a control of the panel
 
+function slide(name, value) {
+  sliding = true;
+  attempt(() => editor.setParameterContinuous(name, value));
+}
+
+const parameterOf = (name) => editor.getParameters().find((parameter) => parameter.name === name);
+
 const panel = new Panel(byId("parameters"), {
   set: (values) => attempt(() => editor.setParameters(values)),
-  slide: (name, value) => {
-    sliding = true;
-    attempt(() => editor.setParameterContinuous(name, value));
-  },
+  slide,
+  step: (name, steps) => slide(name, stepped(parameterOf(name), steps)),
   endSlide: () => {
     if (!sliding) return;
     sliding = false;
@@ -35,7 +41,7 @@ const panel = new Panel(byId("parameters"), {
   },
   read: (name, text) => editor.parseValue(name, text),
   mark: () => editor.decimalMark,
-  refresh: (name) => attempt(() => panel.refresh(editor.getParameters().find((parameter) => parameter.name === name))),
+  refresh: (name) => attempt(() => panel.refresh(parameterOf(name))),
   help: (sentence) => (hint.textContent = sentence || hint.dataset.text),
 });
 

@@ -1,5 +1,5 @@
 import { make } from "./dom.js";
-import { choiceTitle, decimalsOf, keySteps, kUnits, numberText, stepped } from "./numbers.js";
+import { choiceTitle, decimalsOf, keySteps, kUnits, numberText } from "./numbers.js";
 
 const kIcons = "assets/icons/icons.svg";
 const kMostSegments = 4; // more choices than these go into a menu
@@ -26,7 +26,7 @@ export class Panel {
   /**
    * @param {HTMLElement} container
    * @param {object} host
-   *   set(values), slide(name, value), endSlide(): what the visitor sets; never throw
+   *   set(values), slide(name, value), step(name, steps), endSlide(): what the visitor sets; never throw
    *   read(name, text): the number that a typed text means; throws an Error for the visitor
    *   refresh(name): asks for a call of refresh() with that parameter
    *   mark(): the decimal mark
@@ -199,7 +199,7 @@ function makeNumber(parameter, id, helpId, host) {
       host.refresh(name);
     } else if (["ArrowUp", "ArrowDown", "PageUp", "PageDown"].includes(event.key)) {
       event.preventDefault();
-      host.slide(name, stepped(now, keySteps(event)));
+      host.step(name, keySteps(event));
     }
   });
   input.addEventListener("keyup", () => host.endSlide());

@@ -177,8 +177,10 @@ export class PointerInput {
   }
 
   #cancelPointer(event) {
-    if (!this.#held.has(event.pointerId)) return;
-    this.#cancelGesture();
+    if (!this.#held.delete(event.pointerId)) return;
+    this.#host.guard(() => this.#host.core()?.cancelPointer(event.pointerId));
+    this.#showCursor("");
+    this.#host.changed();
   }
 
   #cancelGesture() {
