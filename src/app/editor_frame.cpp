@@ -51,7 +51,10 @@ bool Editor::atRest() const {
 void Editor::State::rebuild() {
   const Stopwatch watch;
   scene = model.definition.build(values);
-  if (measuresShown) valuesWithMeasures = withMeasures(model, values, scene);
+  if (measuresShown) {
+    addMeasureScopes(model, scene);
+    valuesWithMeasures = withMeasures(model, values, scene);
+  }
   placer.setScene(placedModel(), scene);
   fieldSource.setScene(scene);
   visibilitySource.sceneChanged();

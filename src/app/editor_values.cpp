@@ -57,7 +57,7 @@ void Editor::setMeasuresShown(bool shown) {
   if (s.measuresShown == shown) return;
   s.finishEdits();
   s.measuresShown = shown;
-  if (s.loaded) s.placeAnew();
+  s.sceneStale = s.loaded;  // measures may have a scope of their own
 }
 bool Editor::measuresShown() const { return state_->measuresShown; }
 const Model& Editor::placedModel() const { return state_->placedModel(); }

@@ -122,7 +122,8 @@ Result<Model> makeModel(ModelDefinition definition) {
     model.annotations.push_back(readAnnotation(parameter, model.diagnostics));
   }
   for (Measure& measure : definition.measures) {
-    if (trim(measure.shown.name).empty() || findParameter(parameters, measure.shown.name)) {
+    const auto sameName = [&](const Measure& other) { return other.shown.name == measure.shown.name; };
+    if (trim(measure.shown.name).empty() || findParameter(parameters, measure.shown.name) || std::ranges::count_if(definition.measures, sameName) > 1) {
       return Error{"In the model " + inQuotes(definition.name) + ": a measure needs a name of its own, not " + inQuotes(measure.shown.name) + "."};
     }
     measure.shown.measure = true;
@@ -148,12 +149,19 @@ Values withMeasures(const Model& model, const Values& values, const Scene& scene
   return all;
 }
 
+void addMeasureScopes(const Model& model, Scene& scene) {
+  const auto aboutAll = [](const std::optional<Annotation>& annotation) { return annotation && annotation->scope == kModelScope; };
+  if (scene.bounds.empty() || std::ranges::none_of(model.measureAnnotations, aboutAll)) return;
+  scene.scopes.push_back({std::string(kModelScope), 0, {.origin = scene.bounds.min, .size = scene.bounds.size()}});
+}
+
 double measuredValue(const Model& model, std::size_t measure, const Values& values, const Scene& scene) {
   if (const auto& value = model.definition.measures[measure].value) return value(values, scene);
   const auto& annotation = model.measureAnnotations[measure];
   if (!annotation) return 0;
-  const auto scope = std::ranges::find(scene.scopes, annotation->scope, &Scope::name);
   const int axis = axisOf(annotation->orient).axis;
+  if (annotation->scope == kModelScope && axis >= 0 && !scene.bounds.empty()) return scene.bounds.size()[axis];
+  const auto scope = std::ranges::find(scene.scopes, annotation->scope, &Scope::name);
   return scope != scene.scopes.end() && axis >= 0 ? scope->box.size[axis] : 0;
 }
 

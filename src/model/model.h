@@ -12,9 +12,13 @@
 
 namespace dimline {
 
+/// The scope that a measure's annotation may name in place of one of the model's: the upright box about all of it. Parameters cannot, since it is there only
+/// while measures are shown.
+inline constexpr std::string_view kModelScope = "Model";
+
 /// A value that follows from others and is only read: an overall height, a floor area.
 struct Measure {
-  Parameter shown;   ///< its name, title, help, unit and annotation, which must be that of a dimension line; range, step and default mean nothing
+  Parameter shown;   ///< its name, title, help, unit and annotation, which must be that of a dimension line, or none; range, step and default mean nothing
   /// In the unit of `shown`. Empty: the size, along the line's axis, of the first scope that the annotation names.
   std::function<double(const Values&, const Scene&)> value;
 };
@@ -49,6 +53,9 @@ Model withMeasures(const Model& model);
 
 /// The values that belong to it: those of the parameters, then those of the measures in a scene.
 Values withMeasures(const Model& model, const Values& values, const Scene& scene);
+
+/// Adds kModelScope to a scene of the model, if a measure is about it.
+void addMeasureScopes(const Model& model, Scene& scene);
 
 /// What one of the model's measures amounts to.
 double measuredValue(const Model& model, std::size_t measure, const Values& values, const Scene& scene);

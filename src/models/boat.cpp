@@ -130,6 +130,12 @@ Scene buildBoat(const Values& values) {
 
 }  // namespace
 
-ModelDefinition defineBoat() { return {"boat", "Galleon", boatParameters(), buildBoat}; }
+ModelDefinition defineBoat() {
+  return {"boat", "Galleon", boatParameters(), buildBoat,
+          {lengthMeasure("OverallLength", "Length overall", "How long the ship is, from the end of the bowsprit to the stern.",
+                         "@Handle(scope=Model, type=linear-contour, orient=front, slip=scope, align=bottom, occlusion=false)"),
+           lengthMeasure("OverallHeight", "Overall height", "How high the ship is, from the keel to the top of the mainmast.",
+                         "@Handle(scope=Model, type=linear-contour, orient=up, slip=scope, occlusion=false)")}};
+}
 
 }  // namespace dimline

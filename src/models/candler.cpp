@@ -287,6 +287,10 @@ Scene build(const Values& values) {
 
 }  // namespace
 
-ModelDefinition defineCandler() { return {"candler", "Candler Building", parameters(), build}; }
+ModelDefinition defineCandler() {
+  return {"candler", "Candler Building", parameters(), build,
+          {lengthMeasure("OverallHeight", "Overall height", "How high the building is, up to its highest point.",
+                         "@Handle(scope=Model, type=linear-contour, orient=up, slip=scope, align=right, occlusion=false)")}};
+}
 
 }  // namespace dimline

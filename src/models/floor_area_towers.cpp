@@ -194,6 +194,11 @@ std::vector<Parameter> parameters(const AreaRange& range, std::string_view colou
   return {p};
 }
 
+std::vector<Measure> towerMeasures() {
+  return {lengthMeasure("Height", "Height", "How high the tower is, from the forecourt to its roof.",
+                        "@Handle(scope=Tower, type=linear-contour, orient=up, slip=scope, occlusion=false)")};
+}
+
 }  // namespace
 
 // Straight: 800 m2 in every storey, so steps of 800 are whole storeys.
@@ -201,7 +206,7 @@ ModelDefinition defineLinearTower() {
   const auto scene = [](const Values& values) {
     return build([](double) { return std::sqrt(800.0); }, {0xE7E0D6, 0xC24A3A, 0x40535F, 0xDDD5C9, 2.4}, values.at(0));
   };
-  return {"floor-area-linear", "Floor area, straight tower", parameters({16000, 4000, 28000, 800}, "#c0392b"), scene};
+  return {"floor-area-linear", "Floor area, straight tower", parameters({16000, 4000, 28000, 800}, "#c0392b"), scene, towerMeasures()};
 }
 
 // Tapered: the walls lean in, and the last storeys hold little.
@@ -209,7 +214,7 @@ ModelDefinition defineTaperedTower() {
   const auto scene = [](const Values& values) {
     return build([](double y) { return std::max(30.0 - 0.13 * y, 8.0); }, {0xE4E6DE, 0x3F7F5B, 0x3F5650, 0xD5DACF, 2.4}, values.at(0));
   };
-  return {"floor-area-tapered", "Floor area, tapered tower", parameters({13000, 3000, 17500, 250}, "#2e8b57"), scene};
+  return {"floor-area-tapered", "Floor area, tapered tower", parameters({13000, 3000, 17500, 250}, "#2e8b57"), scene, towerMeasures()};
 }
 
 // Stepped: the plan shrinks by 7 m, and then less, with every sixth storey.
@@ -222,7 +227,7 @@ ModelDefinition defineSteppedTower() {
     };
     return build(form, {0xDFE3E8, 0x3B6BA5, 0x3C4F63, 0xCFD6DE, 2.4}, values.at(0));
   };
-  return {"floor-area-stepped", "Floor area, stepped tower", parameters({19000, 5000, 24000, 250}, "#2f6fb7"), scene};
+  return {"floor-area-stepped", "Floor area, stepped tower", parameters({19000, 5000, 24000, 250}, "#2f6fb7"), scene, towerMeasures()};
 }
 
 }  // namespace dimline

@@ -359,6 +359,10 @@ Scene buildHelixHouse(const Values& values) {
 
 }  // namespace
 
-ModelDefinition defineHelixHouse() { return {"helix-house", "Helix house", helixParameters(), buildHelixHouse}; }
+ModelDefinition defineHelixHouse() {
+  return {"helix-house", "Helix house", helixParameters(), buildHelixHouse,
+          {lengthMeasure("OverallHeight", "Overall height", "How high the building is, up to its highest point.",
+                         "@Handle(scope=Model, type=linear-contour, orient=up, slip=scope, align=right, occlusion=false)")}};
+}
 
 }  // namespace dimline

@@ -88,6 +88,13 @@ Scene buildHouse(const Values& values) {
 
 }  // namespace
 
-ModelDefinition defineHouse() { return {"house", "Family house", houseParameters(), buildHouse}; }
+ModelDefinition defineHouse() {
+  std::vector<Measure> measures{
+      lengthMeasure("OverallHeight", "Overall height", "How high the house is, up to its highest point.",
+                    "@Handle(scope=Model, type=linear-contour, orient=up, slip=scope, align=right, occlusion=false)"),
+      areaMeasure("GrossFloorArea", "Gross floor area", "The area of all storeys together, walls included.",
+                  [](const Values& values, const Scene&) { return values.at(kWidth) * values.at(kDepth) * values.at(kFloors); })};
+  return {"house", "Family house", houseParameters(), buildHouse, std::move(measures)};
+}
 
 }  // namespace dimline

@@ -37,6 +37,19 @@ Parameter countParameter(std::string name, std::string title, const ParameterRan
   return p;
 }
 
+Measure lengthMeasure(std::string name, std::string title, std::string help, std::string annotation) {
+  Measure measure;
+  measure.shown = {.name = std::move(name), .title = std::move(title), .help = std::move(help), .unit = Unit::kMetre, .annotation = std::move(annotation)};
+  return measure;
+}
+
+Measure areaMeasure(std::string name, std::string title, std::string help, std::function<double(const Values&, const Scene&)> value) {
+  Measure measure;
+  measure.shown = {.name = std::move(name), .title = std::move(title), .help = std::move(help), .unit = Unit::kSquareMetre};
+  measure.value = std::move(value);
+  return measure;
+}
+
 Parameter switchParameter(std::string name, std::string title, bool value, ParameterWords words) {
   return parameter(ParameterType::kBool, Unit::kNone, std::move(name), std::move(title), {value ? 1.0 : 0.0, 0, 1, 1}, std::move(words));
 }

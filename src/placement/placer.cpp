@@ -161,8 +161,8 @@ void Placer::setScene(const Model& model, const Scene& scene) {
   }
   std::ranges::stable_sort(s.order, {}, &Measured::meanLengthM);
   // What is only read takes no place from what can be edited.
-  std::ranges::stable_partition(s.order, [&](const Measured& m) { return !s.parameters[m.parameter].measure; });
-  s.objectPlanes = objectPlanes(fixedBaseLines(s.order, s.scopes), scene.bounds);
+  const auto readOnly = std::ranges::stable_partition(s.order, [&](const Measured& m) { return !s.parameters[m.parameter].measure; });
+  s.objectPlanes = objectPlanes(fixedBaseLines({s.order.begin(), readOnly.begin()}, s.scopes), scene.bounds);
 }
 
 void Placer::place(const View& view, const DistanceFields& fields, const Values& values, Layout& layout,

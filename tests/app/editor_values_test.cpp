@@ -167,3 +167,26 @@ TEST_CASE("while hidden lines are shown every parameter in view has one, and aft
   stage.settle();
   REQUIRE(sameLayout(stage.editor.layout(), before));
 }
+
+TEST_CASE("the built-in models' measures say what their lines measure") {
+  int shown = 0;
+  for (const char* name : {"house", "boat", "candler", "helix-house", "floor-area-linear", "floor-area-tapered", "floor-area-stepped"}) {
+    EditorStage stage(findBuiltInModel(name).value().definition);
+    INFO(name);
+    REQUIRE_FALSE(stage.editor.measures().empty());
+    const std::size_t parameters = stage.editor.model().parameters().size();
+    stage.editor.setMeasuresShown(true);
+    stage.settle();
+    for (const PlacedLine& line : stage.editor.layout().lines) {
+      if (line.parameter < parameters) continue;
+      ++shown;
+      INFO(line.text);
+      CHECK(line.value == Approx(line.lengthM));
+      CHECK(line.value == stage.editor.measures()[line.parameter - parameters].value);
+      CHECK(line.placement != PlacementKind::kInside);
+    }
+  }
+  REQUIRE(shown == 8);
+  EditorStage house(defineHouse());
+  REQUIRE(house.editor.measures()[1].text == "218.4 m\xC2\xB2");  // 13.0 by 8.4, two storeys
+}
