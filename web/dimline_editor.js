@@ -333,6 +333,7 @@ export class DimlineEditor extends Base {
       act: (call) => this.#act(call),
       changed: () => this.#requestFrame(),
       guard: (call) => this.#guard(call),
+      pointed: () => this.#overlay.pointed(),
       cursorAt: (x, y, onHandle) => this.#overlay.cursorAt(x, y, onHandle),
       tapped: (tap) => this.#overlay.tapped(tap),
       doubleTapped: (tap) => this.#overlay.doubleTapped(tap),

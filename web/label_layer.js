@@ -109,6 +109,18 @@ export class LabelLayer {
     this.#sliderOf(name)?.node.focus({ preventScroll: true });
   }
 
+  /** Where a parameter's slider is: {name, box, handle: its arrow's tip, or null}; null for none. */
+  placeOf(name) {
+    const entry = this.#sliderOf(name);
+    return entry && { name, box: boxOfEntry(entry), handle: entry.round === this.#round ? entry.handle : null };
+  }
+
+  /** The place of the slider that the keyboard is at; null when it is elsewhere, or the focus need not be seen. */
+  get focused() {
+    const node = this.#layer.getRootNode().activeElement;
+    return node?.matches(".label:focus-visible") ? this.placeOf(node.dataset.name) : null;
+  }
+
   /** Sliders with their middles, for the order of the Tab key. */
   stops() {
     return [...this.#entries.values()].filter(({ slider }) => slider).map((entry) => {
@@ -180,6 +192,7 @@ export class LabelLayer {
       content: null,
       box: null,
       at: [0, 0],
+      handle: null,
       transform: "",
       opacity: "",
       active: false,
@@ -197,6 +210,7 @@ export class LabelLayer {
     entry.parameter = label.parameter;
     entry.box = label.box;
     entry.at = label.box ?? label.handles[0]?.screen ?? entry.at;
+    entry.handle = label.handles.at(-1)?.screen ?? null;
     entry.editable = label.handles.length > 0 && !label.measure;
     if (entry.text !== label.text) {
       entry.text = label.text;

@@ -18,6 +18,10 @@ function step(core, name, steps) {
   core.setParameterContinuous(name, stepped(parameter, steps));
 }
 
+// The keyboard as a pointer: no browser gives this id to one.
+const kKeyboardId = -2;
+const kBehindTipPx = 5;
+
 export class Overlay {
   #stage;
   #handles = make("div", { class: "handles" });
@@ -29,6 +33,10 @@ export class Overlay {
   #parameters = [];
   #measures = [];
   #hover = { name: null, cursor: "" }; // the cursor over the handle that the mouse rests on
+  #overNumber = null; // the name of the parameter on whose number the mouse rests
+  #saidOf = null; // the name of the parameter that the last sentence was about
+  #byKeys = false; // the keyboard was used last, and what has its focus is marked as if the mouse were there
+  #marked = ""; // where that is
 
   /**
    * @param {HTMLElement} stage the picture's box, with the canvas in it
@@ -53,6 +61,9 @@ export class Overlay {
       edit: (name, text) => host.guard(() => this.#field.open(name, { text })),
       reset: (name) => this.#reset(name),
     };
+    this.#handles.addEventListener("focusin", () => this.#usedKeys(), { signal });
+    this.#handles.addEventListener("keydown", () => this.#usedKeys(), { signal });
+    this.#handles.addEventListener("focusout", () => this.#usedKeys(), { signal });
     this.#labels = new LabelLayer(this.#handles, handleHost, signal);
     this.#pills = new PillLayer(this.#handles, handleHost, signal);
     this.#readout = new Readout(stage, box, live);
@@ -91,23 +102,65 @@ export class Overlay {
     this.#labels.update(labels, devicePixelRatio);
     this.#field.follow();
     input.dragDirection = gesture?.direction;
-    const named = gesture && { ...gesture, title: this.#titleOf(gesture.parameter) };
-    this.#readout.update(named, this.#hoveredName(labels), input.last);
+    const focused = gesture || input.active ? null : this.#markFocused(core);
+    const named = gesture && this.#named(gesture);
+    const name = focused ? this.#titleOf(focused.name) : this.#hoveredName(labels);
+    this.#readout.moveSentence(this.#labels.boxOf(this.#saidOf));
+    this.#readout.update(named, this.#field.complains ? "" : name, input.last, focused?.box);
     // Where the Tab key goes is a matter of the picture at rest: nothing changes places under a finger.
     if (!rests || input.active) return;
     arrange(this.#handles, readingOrder([...this.#labels.stops(), ...this.#pills.stops()]));
   }
 
+  /** The mouse is in use: what it points at is marked, and not what has the focus. */
+  pointed() {
+    this.#overNumber = null;
+    if (this.#field.name !== null) return; // but for the line whose value is being typed
+    this.#byKeys = false;
+    this.#marked = "";
+  }
+
+  #usedKeys() {
+    this.#byKeys = true;
+    this.#host.changed();
+  }
+
+  // Shows where the focus is by more than a ring: the core marks the line and what it drives, as under a mouse.
+  #markFocused(core) {
+    if (!this.#byKeys) return null;
+    const focused = this.#field.name === null ? this.#labels.focused : this.#labels.placeOf(this.#field.name);
+    let at = null;
+    if (focused?.handle) {
+      // A little from the arrow's tip, where two lines of a chain meet, towards the number.
+      const [x, y] = focused.handle;
+      const [dx, dy] = [(focused.box[0] + focused.box[2]) / 2 - x, (focused.box[1] + focused.box[3]) / 2 - y];
+      const share = Math.min(1, kBehindTipPx / (Math.hypot(dx, dy) || 1));
+      at = [x + dx * share, y + dy * share];
+    }
+    const marked = at ? at.map(Math.round).join(" ") : "";
+    if (marked !== this.#marked) {
+      this.#marked = marked;
+      if (at) core.hover(kKeyboardId, "mouse", 0, ...at, 0);
+      else core.endHover();
+      this.#host.changed();
+    }
+    return focused;
+  }
+
   #hoveredName(labels) {
-    if (this.#field.name !== null) return "";
     const line = labels.find((label) => label.hovered);
-    if (!line) return this.#pills.hovered?.title ?? "";
+    if (!line) return this.#pills.hovered?.title ?? (this.#overNumber === null ? "" : this.#titleOf(this.#overNumber));
     const title = line.measure ? this.#measures.find(({ name }) => name === line.name)?.title : this.#titleOf(line.name);
     return line.box ? title : `${title}  ${line.text}`; // a line without a text tells its value here
   }
 
   #parameter(name) {
     return this.#parameters.find((candidate) => candidate.name === name);
+  }
+
+  #named(gesture) {
+    const { title, type } = this.#parameter(gesture.parameter);
+    return { ...gesture, title, canBeFine: type !== "int" };
   }
 
   #titleOf(name) {
@@ -125,7 +178,9 @@ export class Overlay {
   tapped({ x, y, touch, target, clientX, clientY }) {
     const label = this.#labels.labelAt(x, y, touch);
     // Beside a number its line's arrow may be nearer.
-    if (label && (label.inside || target !== "handle")) this.#field.open(label.name, { pointer: { x: clientX, y: clientY } });
+    if (!label || (!label.inside && target === "handle")) return;
+    this.#field.open(label.name, { pointer: { x: clientX, y: clientY } });
+    this.#usedKeys();
   }
 
   doubleTapped({ x, y, touch }) {
@@ -137,7 +192,8 @@ export class Overlay {
   cursorAt(x, y, onHandle) {
     if (!onHandle) {
       this.#hover.name = null;
-      return this.#labels.labelAt(x, y, false) ? "text" : "";
+      this.#overNumber = this.#labels.labelAt(x, y, false)?.name ?? null;
+      return this.#overNumber === null ? "" : "text";
     }
     // The layout is asked once for each handle that the mouse comes to, not for each pixel.
     const core = this.#host.core();
@@ -166,6 +222,7 @@ export class Overlay {
         else this.#stage.querySelector("canvas").focus({ preventScroll: true });
       },
       reset: (name) => this.#reset(name),
+      changed: this.#host.changed,
     };
   }
 
@@ -181,12 +238,13 @@ export class Overlay {
   #reset(name) {
     this.#host.guard(() => {
       this.#host.act((core) => core.resetParameter(name));
-      this.#say(name, `${this.#titleOf(name)}: ${this.#host.core().inputText(name)} again`);
+      this.#say(name, `${this.#titleOf(name)} reset to ${this.#host.core().inputText(name)}.`);
     });
   }
 
   #say(name, sentence) {
     const middle = [this.#stage.offsetWidth / 2, this.#stage.offsetHeight / 2];
+    this.#saidOf = name;
     const lastsMs = this.#readout.say(sentence, this.#labels.boxOf(name) ?? [...middle, ...middle]);
     setTimeout(this.#host.changed, lastsMs + 50);
   }

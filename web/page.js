@@ -19,6 +19,13 @@ const firstModel = editor.model;
 const modelOfAddress = () => new URLSearchParams(location.search).get(kModelKey) ?? firstModel;
 editor.model = modelOfAddress();
 
+// What the row in use is about, or else how to begin.
+const coarse = matchMedia("(pointer: coarse)");
+function showHint(sentence = "") {
+  hint.textContent = sentence || (coarse.matches ? hint.dataset.touchText : hint.dataset.text);
+}
+showHint();
+
 const picker = new ModelPicker(byId("model"), byId("models"), (name) => (editor.model = name));
 
 let sliding = false; // by a control of the panel
@@ -42,7 +49,7 @@ const panel = new Panel(byId("parameters"), {
   read: (name, text) => editor.parseValue(name, text),
   mark: () => editor.decimalMark,
   refresh: (name) => attempt(() => panel.refresh(parameterOf(name))),
-  help: (sentence) => (hint.textContent = sentence || hint.dataset.text),
+  help: showHint,
 });
 
 // What the visitor does never throws into the void: after a failure the panel shows what holds.

@@ -42,32 +42,33 @@ export class Readout {
 
   /**
    * Shows what there is to say now, the most important alone.
-   * @param {object | null} gesture as Core.gesture() gives it, with `title`
+   * @param {object | null} gesture as Core.gesture() gives it, with `title` and `canBeFine`: whether keys change its steps
    * @param {string} name of what the pointer rests on, or ""
    * @param {{x: number, y: number, touch: boolean}} pointer
+   * @param {[number, number, number, number]} [box] what it belongs to instead, when that is not the pointer
    */
-  update(gesture, name, pointer) {
+  update(gesture, name, pointer, box) {
     if (gesture) return this.#showGesture(gesture);
     if (this.#gesture) this.#endGesture();
     if (this.#sentence && performance.now() > this.#sentence.untilMs) this.#sentence = null;
-    const text = name || this.#sentence?.text || "";
+    const text = (box && this.#sentence?.text) || name || this.#sentence?.text || "";
     this.#fill({ title: text });
     this.#node.toggleAttribute("data-shown", Boolean(text));
     if (!text) return;
-    if (name) this.#placeBeside(pointer);
-    else this.#placeAt(this.#sentence.at);
+    if (text === name && !box) this.#placeBeside(pointer);
+    else this.#placeAt(text === name ? box : this.#sentence.at);
   }
 
   /** Says a sentence beside a place in the picture, and to screen readers. Gives the time (ms) after which update() takes it away. */
   say(text, at) {
     this.#sentence = { text, at, untilMs: performance.now() + kSentenceMs };
-    this.announce(text);
+    this.#live.textContent = text;
     return kSentenceMs;
   }
 
-  /** Says it to screen readers alone. */
-  announce(text) {
-    this.#live.textContent = text;
+  /** The sentence goes along with its line; null: that is not shown. */
+  moveSentence(box) {
+    if (this.#sentence && box) this.#sentence.at = box;
   }
 
   #showGesture(gesture) {
@@ -75,9 +76,9 @@ export class Readout {
     const touch = pointer === "touch";
     if (!this.#gesture) {
       this.#sentence = null;
-      this.#gesture = { sides: this.#freeSides(handle, direction), side: 0, touch, limit: null };
+      this.#gesture = { sides: this.#freeSides(handle, direction), side: 0, hinted: !touch && gesture.canBeFine, limit: null };
     }
-    const hinted = this.#hintDue && !touch;
+    const hinted = this.#hintDue && this.#gesture.hinted;
     this.#fill({
       title: gesture.title,
       value: gesture.text,
@@ -96,7 +97,7 @@ export class Readout {
   }
 
   #endGesture() {
-    if (!this.#gesture.touch) this.#hintDue = false;
+    if (this.#gesture.hinted) this.#hintDue = false;
     this.#gesture = null;
     this.#node.removeAttribute("data-limit");
   }
@@ -140,7 +141,7 @@ export class Readout {
 
   #placeAt([x0, y0, x1, y1]) {
     const { offsetHeight: height } = this.#node;
-    const away = (y1 - y0) / 2 + height / 2 + 8;
+    const away = (y1 - y0) / 2 + height / 2 + 12;
     this.#placeMiddle((x0 + x1) / 2, (y0 + y1) / 2 - away, (y0 + y1) / 2 + away);
   }
 

@@ -10,7 +10,7 @@ const kDoubleMs = 450;
 const kDoublePx = 24;
 
 const kMarginPx = 6; // from the picture's edge
-const kLeastWidthPx = 56;
+const kLeastWidthPx = 44;
 
 export class ValueField {
   #layer;
@@ -33,7 +33,7 @@ export class ValueField {
    *   neighbour(name, direction): the name of the line that Tab goes to, or null
    *   boxOf(name): where its label is, or null
    *   cover(name): hides that label; focus(name): gives the focus to its line
-   *   reset(name): on a double click
+   *   reset(name): on a double click; changed(): a frame is wanted
    * @param {AbortSignal} signal
    */
   constructor(layer, host, signal) {
@@ -68,6 +68,11 @@ export class ValueField {
   /** The name of the parameter that is being typed, or null. */
   get name() {
     return this.#name;
+  }
+
+  /** Whether a sentence beside it says what is wrong. */
+  get complains() {
+    return this.#name !== null && this.#note.textContent !== "";
   }
 
   /**
@@ -114,6 +119,7 @@ export class ValueField {
     if (this.#name === null) return;
     this.#name = null;
     this.#host.cover(null);
+    this.#host.changed();
     this.#node.remove();
   }
 
@@ -146,6 +152,7 @@ export class ValueField {
     this.#note.textContent = sentence;
     this.#node.toggleAttribute("data-wrong", Boolean(sentence));
     this.#input.setAttribute("aria-invalid", String(Boolean(sentence)));
+    this.#host.changed();
     if (sentence) this.#place();
   }
 

@@ -197,7 +197,7 @@ test("a double click on an arrow resets its parameter", async () => {
   await page.mouse.dblclick(...at);
   await settle(page);
   assert.equal(await valueOf(page, "Width"), defaults.Width);
-  assert.match(await inside(page, "[role=status]").textContent(), /Width: 13/);
+  assert.match(await inside(page, "[role=status]").textContent(), /Width reset to 13/);
   await page.click("#undo");
   await settle(page);
   assert.equal(await valueOf(page, "Width"), 10);
