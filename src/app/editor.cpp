@@ -238,7 +238,7 @@ std::span<const Editor::LineState> Editor::lineStates() const { return state_->l
 
 std::vector<Editor::FadingLine> Editor::fadingLines() const {
   std::vector<FadingLine> lines;
-  for (const LineAnimator::FadingLine& line : state_->animator.fading()) lines.push_back({line.line, line.opacity});
+  for (const auto& fading : state_->animator.fading()) lines.push_back({fading.placed, fading.opacity});
   return lines;
 }
 
@@ -246,9 +246,7 @@ std::span<const Editor::LineState> Editor::otherStates() const { return state_->
 
 std::vector<Editor::FadingHandle> Editor::fadingHandles() const {
   std::vector<FadingHandle> handles;
-  for (const HandleAnimator::FadingHandle& handle : state_->handleAnimator.fading()) {
-    handles.push_back({handle.handle, handle.opacity});
-  }
+  for (const auto& fading : state_->handleAnimator.fading()) handles.push_back({fading.placed, fading.opacity});
   return handles;
 }
 

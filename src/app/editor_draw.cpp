@@ -105,7 +105,7 @@ void Editor::State::buildOverlayLines() {
     drawnLine.handleScale = handleScale;
     overlayLines.push_back(drawnLine);
   };
-  for (const LineAnimator::FadingLine& fading : animator.fading()) add(fading.line, fading.opacity, {}, 1.0F);
+  for (const auto& fading : animator.fading()) add(fading.placed, fading.opacity, {}, 1.0F);
   for (std::size_t i = 0; i < drawn.lines.size(); ++i)
     add(drawn.lines[i], lineStates[i].opacity, lineStates[i], handleScales[i]);
 }
@@ -134,7 +134,7 @@ void Editor::State::buildOverlayHandles() {
     arc.handleScale = handleScale;
     overlayArcs.push_back(arc);
   };
-  for (const HandleAnimator::FadingHandle& fading : handleAnimator.fading()) add(fading.handle, fading.opacity, {}, 1.0F);
+  for (const auto& fading : handleAnimator.fading()) add(fading.placed, fading.opacity, {}, 1.0F);
   for (std::size_t i = 0; i < drawn.others.size(); ++i)
     add(drawn.others[i], otherStates[i].opacity, otherStates[i], otherScales[i]);
 }

@@ -37,9 +37,7 @@ void HandleAnimator::update(const Layout& placed, std::span<const Scope> scopes,
   atRest_ = true;
 
   next_.assign(placed.others.size(), {});
-  // Of a handle there may be the one that is drawn and a few that fade, and all may be put aside at once.
-  spares_.reserve(std::max(spares_.size() + fading_.size() + drawn.others.size(), 4 * placed.others.size()));
-  fading_.reserve(4 * placed.others.size());
+  fading_.reserve(placed.others.size(), drawn.others.size());
   taken_.assign(tracked_.size(), 0);
   for (std::size_t i = 0; i < placed.others.size(); ++i) {
     if (const Tracked* known = before(placed.others[i], taken_)) {
@@ -50,11 +48,10 @@ void HandleAnimator::update(const Layout& placed, std::span<const Scope> scopes,
     }
   }
   for (std::size_t j = 0; j < tracked_.size(); ++j) {
-    // Everything in `drawn` is about to be written anew, so that the handle itself can be taken.
-    if (!taken_[j]) fading_.push_back({std::exchange(drawn.others[j], takeSpare()), opacities_[j], nowMs, opacities_[j]});
+    if (!taken_[j]) fading_.add(drawn.others[j], opacities_[j], nowMs);
   }
 
-  resize(drawn.others, placed.others.size());
+  fading_.resize(drawn.others, placed.others.size());
   opacities_.resize(placed.others.size());
   std::size_t kept = 0;
   for (std::size_t i = 0; i < placed.others.size(); ++i) {
@@ -68,23 +65,17 @@ void HandleAnimator::update(const Layout& placed, std::span<const Scope> scopes,
     tracked.offsetPx = offsetPx;
     if (!drawHandle(handle, scopes, placed.view, view, nowMs, changed, tracked, drawn.others[kept])) continue;
     next_[kept] = tracked;
-    const double fadeShare = animate ? std::clamp((nowMs - tracked.fadeStartMs) / kFadeMs, 0.0, 1.0) : 1.0;
-    opacities_[kept] = tracked.startOpacity + (1.0 - tracked.startOpacity) * fadeShare;
+    opacities_[kept] = animate ? appearedBy(nowMs, tracked.fadeStartMs, tracked.startOpacity) : 1.0;
     if (opacities_[kept] < 1.0 || tracked.gliding) atRest_ = false;
     ++kept;
   }
-  resize(drawn.others, kept);
+  fading_.resize(drawn.others, kept);
   opacities_.resize(kept);
   next_.resize(kept);
   tracked_.swap(next_);
 
-  std::erase_if(fading_, [&](FadingHandle& f) {
-    f.opacity = f.startOpacity * (1.0 - std::clamp((nowMs - f.startMs) / kFadeMs, 0.0, 1.0));
-    if (f.opacity > 0.0 && (!f.handle.arc || canProject(*f.handle.arc, view))) return false;
-    spares_.push_back(std::move(f.handle));
-    return true;
-  });
-  if (!fading_.empty()) atRest_ = false;
+  fading_.update(nowMs, [&](const PlacedHandle& handle) { return !handle.arc || canProject(*handle.arc, view); });
+  if (!fading_.items().empty()) atRest_ = false;
 }
 
 /// The handle of the last frame that is this one. A parameter has one at a time.
@@ -132,22 +123,6 @@ bool HandleAnimator::drawHandle(const PlacedHandle& placed, std::span<const Scop
   tracked.center = drawn.box.center();
   if (placed.arc) tracked.arcCenter = drawn.arc->center;
   return true;
-}
-
-/// As vector::resize, but what the handles hold is kept for later.
-void HandleAnimator::resize(std::vector<PlacedHandle>& handles, std::size_t size) {
-  while (handles.size() > size) {
-    spares_.push_back(std::move(handles.back()));
-    handles.pop_back();
-  }
-  while (handles.size() < size) handles.push_back(takeSpare());
-}
-
-PlacedHandle HandleAnimator::takeSpare() {
-  if (spares_.empty()) return {};
-  PlacedHandle handle = std::move(spares_.back());
-  spares_.pop_back();
-  return handle;
 }
 
 }  // namespace dimline

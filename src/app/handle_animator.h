@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include "app/fading_list.h"
 #include "placement/layout.h"
 
 namespace dimline {
@@ -13,14 +14,6 @@ namespace dimline {
 /// another arc: the one fades, the other appears.
 class HandleAnimator {
 public:
-  /// On its way out: no longer part of the layout, drawn for some frames more.
-  struct FadingHandle {
-    PlacedHandle handle;
-    double opacity = 1;
-    double startMs = 0;
-    double startOpacity = 1;
-  };
-
   void setReducedMotion(bool reduced) { reducedMotion_ = reduced; }
   /// Forgets all handles; those of the next frame are there without animation.
   void reset();
@@ -32,7 +25,7 @@ public:
   [[nodiscard]] bool atRest() const { return atRest_; }
   /// One for each handle that update() drew last.
   [[nodiscard]] std::span<const double> opacities() const { return opacities_; }
-  [[nodiscard]] std::span<const FadingHandle> fading() const { return fading_; }
+  [[nodiscard]] std::span<const Fading<PlacedHandle>> fading() const { return fading_.items(); }
 
 private:
   /// What is remembered of a handle from one frame to the next.
@@ -55,8 +48,6 @@ private:
   [[nodiscard]] const Tracked* before(const PlacedHandle& handle, std::vector<char>& taken) const;
   bool drawHandle(const PlacedHandle& placed, std::span<const Scope> scopes, const View& placedView, const View& view,
                   double nowMs, bool changed, Tracked& tracked, PlacedHandle& drawn);
-  void resize(std::vector<PlacedHandle>& handles, std::size_t size);
-  [[nodiscard]] PlacedHandle takeSpare();
 
   bool reducedMotion_ = false;
   bool fresh_ = true;
@@ -65,8 +56,7 @@ private:
   std::vector<Tracked> next_;
   std::vector<char> taken_;
   std::vector<double> opacities_;
-  std::vector<FadingHandle> fading_;
-  std::vector<PlacedHandle> spares_;  ///< handles that are not needed now, for the memory they hold
+  FadingList<PlacedHandle> fading_;
 };
 
 }  // namespace dimline

@@ -42,23 +42,27 @@ void LineAnimator::update(const Layout& placed, std::span<const Scope> scopes, c
   drawn.view = view;
   drawn.hidden = placed.hidden;
   drawn.visibleScopes = placed.visibleScopes;
-  resize(drawn.lines, placed.lines.size());
+  fading_.resize(drawn.lines, placed.lines.size());
   opacities_.resize(placed.lines.size());
   std::size_t kept = 0;
   for (std::size_t i = 0; i < placed.lines.size(); ++i) {
     // A line of an older view may have passed the near plane since then; it is left out until it is placed anew.
     if (!drawLine(placed.lines[i], view, same, nowMs, next_[i], drawn.lines[kept])) continue;
     next_[kept] = next_[i];
-    const double fadeShare = animate ? std::clamp((nowMs - next_[i].fadeStartMs) / kFadeMs, 0.0, 1.0) : 1.0;
-    opacities_[kept] = next_[i].startOpacity + (1.0 - next_[i].startOpacity) * fadeShare;
+    opacities_[kept] = animate ? appearedBy(nowMs, next_[i].fadeStartMs, next_[i].startOpacity) : 1.0;
     if (opacities_[kept] < 1.0) atRest_ = false;
     ++kept;
   }
-  resize(drawn.lines, kept);
+  fading_.resize(drawn.lines, kept);
   opacities_.resize(kept);
   next_.resize(kept);
   tracked_.swap(next_);
-  fade(view, nowMs);
+  fading_.update(nowMs, [&](PlacedLine& line) {
+    if (!canProject(line, view)) return false;
+    projectLine(line, view, labelAnchor(line));
+    return true;
+  });
+  if (!fading_.items().empty()) atRest_ = false;
 }
 
 /// The line of the last frame that is this one: the very same choice for the same scope; or else another choice of its
@@ -110,8 +114,7 @@ void LineAnimator::match(const Layout& placed, std::span<const Scope> scopes, do
   }
   for (std::size_t j = 0; j < tracked_.size(); ++j) {
     if (taken_[j]) continue;
-    // Everything in `drawn` is about to be written anew, so that the line itself can be taken.
-    fading_.push_back({std::exchange(drawn.lines[j], takeSpare()), opacities_[j], nowMs, opacities_[j]});
+    fading_.add(drawn.lines[j], opacities_[j], nowMs);
   }
 }
 
@@ -148,35 +151,6 @@ bool LineAnimator::drawLine(const PlacedLine& placed, const View& view, bool sam
   if (drawn.label) tracked.labelCenter = drawn.label->center();
   tracked.offsetPx = offsetPx(placed);
   return true;
-}
-
-void LineAnimator::fade(const View& view, double nowMs) {
-  std::erase_if(fading_, [&](FadingLine& f) {
-    f.opacity = f.startOpacity * (1.0 - std::clamp((nowMs - f.startMs) / kFadeMs, 0.0, 1.0));
-    if (f.opacity <= 0.0 || !canProject(f.line, view)) {
-      spares_.push_back(std::move(f.line));
-      return true;
-    }
-    projectLine(f.line, view, labelAnchor(f.line));
-    return false;
-  });
-  if (!fading_.empty()) atRest_ = false;
-}
-
-/// As vector::resize, but what the lines hold is kept for later.
-void LineAnimator::resize(std::vector<PlacedLine>& lines, std::size_t size) {
-  while (lines.size() > size) {
-    spares_.push_back(std::move(lines.back()));
-    lines.pop_back();
-  }
-  while (lines.size() < size) lines.push_back(takeSpare());
-}
-
-PlacedLine LineAnimator::takeSpare() {
-  if (spares_.empty()) return {};
-  PlacedLine line = std::move(spares_.back());
-  spares_.pop_back();
-  return line;
 }
 
 }  // namespace dimline

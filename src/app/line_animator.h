@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "app/fading_list.h"
 #include "placement/layout.h"
 
 namespace dimline {
@@ -15,14 +16,6 @@ namespace dimline {
 /// and go by opacity.
 class LineAnimator {
 public:
-  /// A line that is on its way out: no longer part of the layout, drawn for some frames more.
-  struct FadingLine {
-    PlacedLine line;
-    double opacity = 1;
-    double startMs = 0;
-    double startOpacity = 1;
-  };
-
   /// Without motion lines are where they are placed, at once.
   void setReducedMotion(bool reduced) { reducedMotion_ = reduced; }
   /// Forgets all lines; those of the next frame are there without animation.
@@ -38,7 +31,7 @@ public:
   [[nodiscard]] bool atRest() const { return atRest_; }
   /// One for each line that update() drew last.
   [[nodiscard]] std::span<const double> opacities() const { return opacities_; }
-  [[nodiscard]] std::span<const FadingLine> fading() const { return fading_; }
+  [[nodiscard]] std::span<const Fading<PlacedLine>> fading() const { return fading_.items(); }
 
 private:
   /// What is remembered of a line from one frame to the next.
@@ -64,9 +57,6 @@ private:
                                                       std::size_t hint, bool exactly) const;
   bool drawLine(const PlacedLine& placed, const View& view, bool sameView, double nowMs, Tracked& tracked,
                 PlacedLine& drawn);
-  void fade(const View& view, double nowMs);
-  void resize(std::vector<PlacedLine>& lines, std::size_t size);
-  [[nodiscard]] PlacedLine takeSpare();
 
   bool reducedMotion_ = false;
   bool fresh_ = true;  ///< the next frame's lines appear at once
@@ -76,8 +66,7 @@ private:
   std::vector<bool> taken_;
   std::vector<bool> changed_;  ///< parallel to next_: its place is another one than in the last frame
   std::vector<double> opacities_;
-  std::vector<FadingLine> fading_;
-  std::vector<PlacedLine> spares_;  ///< lines that are not needed now, for the memory they hold
+  FadingList<PlacedLine> fading_;
 };
 
 }  // namespace dimline

@@ -126,7 +126,7 @@ TEST_CASE("an arc that goes to another scope fades here and appears there") {
   CHECK(stage.at(16)[0].arc->center.x == 2);
   CHECK(stage.animator.opacities()[0] == 0);
   REQUIRE(stage.animator.fading().size() == 1);
-  CHECK(stage.animator.fading()[0].handle.arc->center.x == 0);
+  CHECK(stage.animator.fading()[0].placed.arc->center.x == 0);
   stage.at(16 + kFadeMs / 2);
   CHECK(stage.animator.opacities()[0] == Approx(0.5));
   CHECK(stage.animator.fading()[0].opacity == Approx(0.5));

@@ -347,3 +347,37 @@ TEST_CASE("a leader runs from its dot to the edge of the box, and is not drawn i
   leader.anchor = {250, 100};
   CHECK(build(leader).empty());
 }
+
+TEST_CASE("a drag's marks are quieter than lines, but for the limit that is reached") {
+  using Mark = DragMark::Kind;
+  std::vector<DragMark> marks;
+  for (const Mark kind : {Mark::kTick, Mark::kLongTick, Mark::kLimit, Mark::kGhost, Mark::kLimitReached}) {
+    marks.push_back({kind, {{100, 100}, {100, 110}}, 0.5});
+  }
+  std::vector<OverlayShape> shapes;
+  buildOverlay({.marks = marks}, testTheme(), shapes);
+  REQUIRE(shapes.size() == 5);
+  for (std::size_t i = 0; i < 4; ++i) {
+    REQUIRE(inkOf(shapes[i]) == 1);
+    REQUIRE(opacityOf(shapes[i]) < 100);
+    REQUIRE(shapes[i].halfWidthPx <= 0.75F);
+  }
+  REQUIRE(inkOf(shapes[4]) == 5);
+  REQUIRE(opacityOf(shapes[4]) == 128);
+  marks[0].line.start.x = std::numeric_limits<double>::quiet_NaN();
+  buildOverlay({.marks = marks}, testTheme(), shapes);
+  REQUIRE(shapes.size() == 4);
+}
+
+TEST_CASE("edges of a scope lie under everything else, and are faint on the far side of its box") {
+  const std::vector<OverlayEdge> edges{{{{10, 10}, {60, 10}}, false, 1.0F}, {{{10, 40}, {60, 40}}, true, 1.0F}, {{{10, 40}, {10.1, 40}}, true, 1.0F}};
+  OverlayLine line;
+  line.line = {{100, 100}, {300, 100}};
+  std::vector<OverlayShape> shapes;
+  buildOverlay({.lines = {&line, 1}, .edges = edges}, testTheme(), shapes);
+  REQUIRE(inkOf(shapes[0]) == 6);  // the near edge's halo
+  REQUIRE(inkOf(shapes[1]) == 5);
+  REQUIRE(inkOf(shapes[2]) == 5);
+  REQUIRE(opacityOf(shapes[2]) < opacityOf(shapes[1]) / 2);
+  REQUIRE(shapes[3].startPx.x > 60);  // the third edge has no length; then come the line's shapes
+}
