@@ -89,9 +89,12 @@ inline constexpr double kScoreIntersect = -1.0 * kHandleSpacingPx;       ///< la
 /// Beyond the paper: principle 9 weighs more than a shorter way. The last frame's choice stays until another is better by this much more than Damp, and what was left
 /// is not gone back to within kReturnFrames moved frames unless it is better by -kScoreReturn. Smaller: lines change more often on an
 /// orbit. Larger: they stay longer on a side that is no longer the nearest.
-inline constexpr double kScoreStay = 7.0 * kHandleSpacingPx;
-inline constexpr double kScoreReturn = -5.0 * kHandleSpacingPx;
+inline constexpr double kScoreStay = 9.5 * kHandleSpacingPx;
+inline constexpr double kScoreReturn = -14.0 * kHandleSpacingPx;
 inline constexpr int kReturnFrames = 20;
+
+/// rad. A frame in which the view turns by more counts as several for how long a scope has been in sight, so that a quick turn drops what it hides at once.
+inline constexpr double kFrameTurnRad = 0.0174;
 
 /// rad. A view that has turned by more than this since the last frame is another picture, not the next one of a movement: what was chosen
 /// for the last one is forgotten. A quick flick of the hand turns by less even at ten frames a second.
@@ -104,8 +107,15 @@ inline constexpr double kMostOffsetRatio = 1.45;
 /// Further out than that it comes nearer by so many times kRelaxPx: quickly, and still no leap.
 inline constexpr double kHurryFactor = 5.0;
 
-/// Beyond the paper: a line across another's extension line misleads, two extension lines that cross do not; the first costs this more than Intersect.
-inline constexpr double kScoreCrossesExtension = -5.0 * kHandleSpacingPx;
+/// Beyond the paper: a line across another's extension line misleads, two extension lines that cross do not; the first costs this more than Intersect,
+/// and more than staying is worth. With one that stood there in the last frame, and may move yet, it costs the second: as much, and each would
+/// flee from the other.
+inline constexpr double kScoreCrossesExtension = -11.5 * kHandleSpacingPx;
+inline constexpr double kScoreCrossesAhead = -6.0 * kHandleSpacingPx;
+
+/// Beyond the paper: principle 6, shorter lines nearer to the model. The order of placing brings that about unless a shorter line had to go far out; a longer
+/// one that would lie nearer, beside it, costs this. Needs to be about kScoreStay to count with a line that is there already.
+inline constexpr double kScoreNestsWithin = -8.0 * kHandleSpacingPx;
 
 /// Beyond the paper: an extension line through a label that has landed makes it hard to read, which a crossing of two thin lines does
 /// not; such a place is taken only when it is much nearer than any other.
@@ -145,9 +155,11 @@ inline constexpr double kScopeSkinShare = 0.01;
 inline constexpr double kPlentySeenShare = 0.003;
 
 /// Share of a scope's screen area that must be seen for it to be shown, and below which one that is shown is dropped again. Two
-/// thresholds, so that a scope at the edge of sight does not flicker.
+/// thresholds, so that a scope at the edge of sight does not flicker. One that went out of sight within kReturnFrames moved frames must be seen by the
+/// third to be shown again: behind leaves the share leaps from frame to frame.
 inline constexpr double kSeenShareToShow = 0.06;
 inline constexpr double kSeenShareToKeep = 0.02;
+inline constexpr double kSeenShareToShowAgain = 0.2;
 
 // --- Camera -----------------------------------------------------------------------------------------------------------
 

@@ -168,6 +168,7 @@ void gatherGuideCandidates(const CandidateContext& context, const UsableBaseLine
       const Guide& guide = context.guides[i];
       if (!liesOn(guide, plane.plane, along, context.toleranceM)) continue;
       Candidate candidate = unplaced(base, plane, direction, context);
+      if (context.history.leftLately(candidate.identity)) continue;
       const double offsetM = glm::dot(guide.point - candidate.foot.start, candidate.outward);
       if (!(offsetM > 0) || offsetM < leastRoomM(candidate)) continue;
       const auto slide = Slide::make(context.view, candidate.foot, candidate.outward);

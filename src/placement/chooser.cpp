@@ -1,6 +1,7 @@
 #include "placement/chooser.h"
 
 #include <algorithm>
+#include <limits>
 #include <tuple>
 
 #include "placement/labels.h"
@@ -13,10 +14,6 @@ namespace dimline {
 namespace {
 
 auto orderOf(const Identity& i) { return std::tie(i.chain, i.scopeIndex, i.baseLine, i.plane, i.direction); }
-
-double lessened(const Landed::Crossings& crossings) {
-  return (crossings.lines ? kScoreIntersect : 0.0) + (crossings.extensions ? kScoreCrossesExtension : 0.0);
-}
 
 ChosenLine chosen(const Candidate& c, std::optional<Box2> label = std::nullopt) {
   return {c.scope, c.base, c.baseScreen, c.foot, c.footScreen, c.line, c.lineScreen, label};
@@ -88,6 +85,24 @@ bool Chooser::chooseOutside(std::span<const UsableBaseLine> bases, const Measure
   return false;
 }
 
+/// A candidate's score with what it runs into, of the lines that have landed and of those ahead. Of a score that comes to `enough` or less, no more is worked out.
+double Chooser::scoreAmongOthers(const Candidate& candidate, const ChoiceContext& context, double enough) {
+  const Segment2& base = candidate.baseScreen;
+  const Segment2& foot = candidate.footScreen;
+  const Segment2& line = candidate.lineScreen;
+  const Landed& others = context.occupied.landed();
+  const Landed::Crossings landed = others.crossings(base, foot, line);
+  double score = candidate.score + (landed.lines ? kScoreIntersect : 0.0) + (landed.extensions ? kScoreCrossesExtension : 0.0) +
+                 (landed.labels ? kScoreCoversLabel : 0.0);
+  if (score <= enough) return score;
+  if (others.nestsWithin(base, line, candidate.guide)) score += kScoreNestsWithin;
+  const Landed::Crossings ahead = context.lookAhead.crossings(base, foot, line);
+  score += (ahead.lines ? kScoreIntersect : 0.0) + (ahead.extensions ? kScoreCrossesAhead : 0.0);
+  if (context.lookAhead.crowds(line)) score += kScoreCrowdsAhead;
+  if (context.lookAhead.shadows(foot, line)) score += kScoreShadowsAhead;
+  return score;
+}
+
 /// computeWinner. Crossings and labels are dear, so they are looked at only for candidates that could still win: crossings only lower a
 /// score, and the candidates come in descending order.
 bool Chooser::chooseBest(const Measured& measured, const ChoiceContext& context) {
@@ -97,20 +112,18 @@ bool Chooser::chooseBest(const Measured& measured, const ChoiceContext& context)
   for (Candidate& candidate : candidates_) {
     // The second offset comes last, whatever its score.
     if (candidate.secondOffset ? !firstOffsetFailed : found && bestScore >= candidate.score) continue;
-    const Segment2& base = candidate.baseScreen;
-    const Segment2& foot = candidate.footScreen;
-    const Segment2& line = candidate.lineScreen;
-    const Landed::Crossings landed = context.occupied.landed().crossings(base, foot, line);
-    double score = candidate.score + lessened(landed) + (landed.labels ? kScoreCoversLabel : 0.0);
-    if (found && bestScore >= score) continue;
-    score += lessened(context.lookAhead.crossings(base, foot, line));
-    if (context.lookAhead.crowds(line)) score += kScoreCrowdsAhead;
-    if (context.lookAhead.shadows(foot, line)) score += kScoreShadowsAhead;
-    if (found && bestScore >= score) continue;
+    const auto beaten = [&](double score) { return found && bestScore >= score; };
+    const auto scoreInPlace = [&] { return scoreAmongOthers(candidate, context, found ? bestScore : -std::numeric_limits<double>::infinity()); };
+    double score = scoreInPlace();
+    if (beaten(score)) continue;
+    const Segment2 triedAt = candidate.lineScreen;
     if (!settle(candidate, measured, context)) {
       firstOffsetFailed = firstOffsetFailed || candidate.hasSecondOffset;
       continue;
     }
+    // Its label may have pushed it to where it runs into more.
+    if (candidate.lineScreen.start != triedAt.start) score = scoreInPlace();
+    if (beaten(score)) continue;
     found = true;
     bestScore = score;
     winner_ = candidate;

@@ -55,6 +55,7 @@ class Chooser {
   bool chooseOutside(std::span<const UsableBaseLine> bases, const Measured& measured, const CandidateContext& candidates, const ChoiceContext& context);
   bool chooseBest(const Measured& measured, const ChoiceContext& context);
   void chooseInside(const Measured& measured, const CandidateContext& candidates, const ChoiceContext& context);
+  [[nodiscard]] static double scoreAmongOthers(const Candidate& candidate, const ChoiceContext& context, double enough);
   bool settle(Candidate& candidate, const Measured& measured, const ChoiceContext& context);
   bool expand(const Candidate& candidate, const Measured& measured, const ChoiceContext& context);
   bool expandChain(const Candidate& candidate, const Measured& measured, const ChoiceContext& context);

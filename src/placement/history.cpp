@@ -9,8 +9,11 @@ double History::bonus(const Identity& candidate, const Segment2& awayPx) const {
     const bool jumps = awayPx_ && std::max(glm::length(awayPx.start - awayPx_->start), glm::length(awayPx.end - awayPx_->end)) > kLeapPx;
     return jumps ? 0.0 : kScoreStay;
   }
-  const auto lately = [&](const Left& left) { return left.framesAgo < kReturnFrames && left.identity == candidate; };
-  return std::ranges::any_of(left_, lately) ? kScoreReturn : 0.0;
+  return leftLately(candidate) ? kScoreReturn : 0.0;
+}
+
+bool History::leftLately(const Identity& candidate) const {
+  return std::ranges::any_of(left_, [&](const Left& left) { return left.framesAgo < kReturnFrames && left.identity == candidate; });
 }
 
 double History::relaxedOffsetM(double leastM, double stepM) const {

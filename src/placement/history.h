@@ -24,6 +24,9 @@ class History {
   /// The last frame's choice has none when it would jump: from `awayPx` off its base line then to elsewhere now, by more than kLeapPx.
   [[nodiscard]] double bonus(const Identity& candidate, const Segment2& awayPx = {}) const;
 
+  /// Whether it was left for another within the last kReturnFrames.
+  [[nodiscard]] bool leftLately(const Identity& candidate) const;
+
   /// The offset (m) at which the last frame's choice shall lie now, when it may lie anywhere from `leastM` on: nearer than it was by `stepM` at most, and no further
   /// out than kMostOffsetRatio of what it must, or on its way there by kHurryFactor steps. Before a still camera (`stepM` 0) it stays where it was. `leastM` when the model has changed since.
   [[nodiscard]] double relaxedOffsetM(double leastM, double stepM) const;

@@ -7,6 +7,10 @@ namespace dimline {
 
 namespace {
 
+/// Lines within 10 degrees of each other look parallel; beside each other they are along more pixels than these.
+constexpr double kParallelCos = 0.985;
+constexpr double kBesidePx = 2.0;
+
 /// Whether two segments share a stretch of more than kExtensionClearancePx along which they are less than kSameLinePx apart.
 bool lieOnEachOther(const Segment2& a, const Segment2& b) {
   const double length = a.length();
@@ -27,7 +31,7 @@ void Landed::clear() {
 }
 
 void Landed::add(const PlacedLine& line, int guide) {
-  lines_.push_back({line.lineScreen, guide});
+  lines_.push_back({line.lineScreen, guide, line.lineScreen.middle() - line.baseScreen.middle()});
   for (const auto* extension : {&line.extensionStart, &line.extensionEnd}) {
     for (std::size_t i = 1; i < extension->size(); ++i) extensions_.push_back({(*extension)[i - 1], (*extension)[i]});
   }
@@ -35,7 +39,7 @@ void Landed::add(const PlacedLine& line, int guide) {
 }
 
 void Landed::add(const Segment2& base, const Segment2& foot, const Segment2& line) {
-  lines_.push_back({line, -1});
+  lines_.push_back({line, -1, line.middle() - base.middle()});
   extensions_.push_back({foot.start, line.start});
   extensions_.push_back({foot.end, line.end});
   if (foot.start != base.start) extensions_.push_back({base.start, foot.start});
@@ -61,7 +65,7 @@ void Landed::add(const PlacedHandle& handle, const View& view) {
   extensions_.push_back({center, last});
   for (const double share : {0.5, 1.0}) {
     const Vec2 next = view.toScreen(arc.at(arc.angleRad * share));
-    lines_.push_back({{last, next}, -1});
+    lines_.push_back({{last, next}, -1, Vec2(0.0)});
     last = next;
   }
   extensions_.push_back({center, last});
@@ -81,6 +85,22 @@ Landed::Crossings Landed::crossings(const Segment2& base, const Segment2& foot, 
     found.labels = found.labels || std::ranges::any_of(labels_, [&](const Box2& label) { return meets(part, label); });
   }
   return found;
+}
+
+bool Landed::nestsWithin(const Segment2& base, const Segment2& line, int guide) const {
+  const double length = line.length();
+  if (!(length > 0)) return false;
+  const Vec2 along = (line.end - line.start) / length;
+  const Vec2 across(-along.y, along.x);
+  const double side = glm::dot(line.middle() - base.middle(), across) > 0 ? 1.0 : -1.0;
+  const double from = glm::dot(line.start, along);
+  return std::ranges::any_of(lines_, [&](const Line& l) {
+    if (guide >= 0 && l.guide == guide) return false;
+    if (std::abs(glm::dot(l.segment.end - l.segment.start, along)) < kParallelCos * l.segment.length()) return false;
+    const auto [otherFrom, otherTo] = std::minmax({glm::dot(l.segment.start, along), glm::dot(l.segment.end, along)});
+    if (std::min(from + length, otherTo) - std::max(from, otherFrom) < kBesidePx) return false;
+    return side * glm::dot(l.away, across) > 0 && side * glm::dot(l.segment.middle() - line.middle(), across) > 0;
+  });
 }
 
 bool Landed::comesWithin(double px, const Segment2& line) const {

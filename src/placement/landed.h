@@ -33,6 +33,9 @@ class Landed {
   };
   [[nodiscard]] Crossings crossings(const Segment2& base, const Segment2& foot, const Segment2& line) const;
 
+  /// Whether a line is nearer to the model than one that has landed, on another guide, and runs beside it on the same side of their base lines.
+  [[nodiscard]] bool nestsWithin(const Segment2& base, const Segment2& line, int guide) const;
+
   /// Whether a line comes nearer than `px` to one that has landed.
   [[nodiscard]] bool comesWithin(double px, const Segment2& line) const;
 
@@ -51,6 +54,7 @@ class Landed {
   struct Line {
     Segment2 segment;
     int guide = -1;
+    Vec2 away{0.0};   ///< px, from the middle of its base line to its own
   };
   std::vector<Line> lines_;
   std::vector<Segment2> extensions_;

@@ -23,6 +23,12 @@ HiddenReason reasonFor(const BaseLineTally& tally, bool anyScope) {
   return HiddenReason::kOutOfView;
 }
 
+/// Leaves are gap and cover in turn: what has just come into sight stays for a while, and what has just left it comes back only when much of it is seen.
+double shareToBeSeen(int seenFrames) {
+  if (seenFrames > 0) return seenFrames < kReturnFrames ? 0.0 : kSeenShareToKeep;
+  return seenFrames < 0 && -seenFrames < kReturnFrames ? kSeenShareToShowAgain : kSeenShareToShow;
+}
+
 /// From the base line's end to the final line's, bent at the plane where the base line does not lie in it (paper 5, "Extension Lines").
 void writeExtension(const Vec2& base, const Vec2& foot, const Vec2& end, std::vector<Vec2>& polyline) {
   polyline.clear();
@@ -76,7 +82,8 @@ struct Placer::State {
   /// What is remembered of the frames before.
   struct Past {
     std::vector<History> histories;   ///< one a parameter
-    std::vector<char> seen;           ///< one a scope: in view, and not hidden by the model
+    std::vector<int> seenFrames;      ///< one a scope: moved frames since it came into sight, or, negative, since it left it; to kReturnFrames, 0 at the start.
+                                      ///< A frame in which the view turns by many degrees counts as many
     LookAhead lookAhead;
     Mat4 viewProjection{0.0};
     Vec3 forward{0.0};
@@ -93,6 +100,7 @@ struct Placer::State {
   Chooser chooser;
   std::vector<ObjectPlaneUse> objectPlaneUses;
   std::vector<char> inView;           ///< one a scope
+  std::vector<char> seen;             ///< one a scope: in view, and not hidden by the model
   std::vector<std::size_t> scopesInSight;
   std::vector<PlacedLine> spareLines;
   std::vector<PlacedHandle> spareHandles;
@@ -100,9 +108,9 @@ struct Placer::State {
   bool beginFrame(const View& view);
   bool placeAll(const View& view, const DistanceFields& fields, const Values& values, std::size_t crowded, bool viewMoved, const PlacedLine* held,
                 Layout& layout);
-  void findVisible(const View& view, const ScopeVisibility* visibility);
+  void findVisible(const View& view, const ScopeVisibility* visibility, int framesOn);
   [[nodiscard]] std::span<const char> usableScopes(const Annotation& annotation) const {
-    return annotation.occlusion && !showHidden ? past.seen : inView;
+    return annotation.occlusion && !showHidden ? seen : inView;
   }
   [[nodiscard]] BaseLineTally scopesOutOfSight(const Measured& measured) const;
   bool placeLines(Measured& measured, const ChoiceContext& context, double value, Layout& layout);
@@ -120,7 +128,7 @@ void Placer::forget() {
   State::Past& past = state_->past;
   for (std::size_t i = 0; i < past.histories.size(); ++i) past.histories[i] = History(static_cast<std::int32_t>(i));
   past.lookAhead.forget();
-  past.seen.clear();
+  past.seenFrames.clear();
 }
 
 struct Placer::Memory::Content {
@@ -144,7 +152,7 @@ void Placer::setScene(const Model& model, const Scene& scene) {
   State& s = *state_;
   const auto sameName = [](const Parameter& a, const Parameter& b) { return a.name == b.name; };
   const bool sameModel = std::ranges::equal(s.parameters, model.parameters(), sameName);
-  if (s.scopes.size() != scene.scopes.size()) s.past.seen.clear();
+  if (s.scopes.size() != scene.scopes.size()) s.past.seenFrames.clear();
   s.scopes = scene.scopes;
   s.modelSizeM = scene.bounds.diagonal();
   s.parameters.assign(model.parameters().begin(), model.parameters().end());
@@ -168,11 +176,12 @@ void Placer::setScene(const Model& model, const Scene& scene) {
 void Placer::place(const View& view, const DistanceFields& fields, const Values& values, Layout& layout,
                    const ScopeVisibility* visibility, const PlacedLine* held) {
   State& s = *state_;
-  if (glm::dot(view.forward(), s.past.forward) < std::cos(kForgetTurnRad)) forget();
+  const double turnRad = std::acos(std::clamp(glm::dot(view.forward(), s.past.forward), -1.0, 1.0));
+  if (turnRad > kForgetTurnRad) forget();
   const bool viewMoved = s.beginFrame(view);
   s.past.lookAhead.begin(s.order, view, fields, viewMoved || s.past.sceneChanged);
   s.past.sceneChanged = false;
-  s.findVisible(view, visibility);
+  s.findVisible(view, visibility, viewMoved ? std::max(static_cast<int>(turnRad / kFrameTurnRad), 1) : 0);
   facePlanes(s.objectPlanes, view, s.objectPlaneUses);
 
   const auto isMeasure = [&](const Measured& m) { return s.parameters[m.parameter].measure; };
@@ -195,7 +204,7 @@ void Placer::place(const View& view, const DistanceFields& fields, const Values&
   layout.view = view;
   layout.visibleScopes.clear();
   for (std::size_t i = 0; i < s.scopes.size(); ++i) {
-    if (s.past.seen[i] != 0) layout.visibleScopes.push_back(i);
+    if (s.seen[i] != 0) layout.visibleScopes.push_back(i);
   }
 }
 
@@ -219,6 +228,11 @@ bool Placer::State::placeAll(const View& view, const DistanceFields& fields, con
   layout.others.reserve(others.size());   // however many of them found no place until now
   layout.hidden.clear();
   occupied.begin(fields);
+  // An arc that stays in its scope's frame has one place only, so all others keep clear of it.
+  const auto stays = [](const Measured& other) { return other.annotation.type == HandleType::kAngular && other.annotation.slip == Slip::kNone; };
+  for (const Measured& other : others) {
+    if (stays(other)) placeOther(other, view, values.at(other.parameter), layout);
+  }
   bool cramped = false;
   const ObjectPlanesInFrame object{objectPlanes, objectPlaneUses, kSamePlaneDistance * modelSizeM};
   for (std::size_t rank = 0; rank < order.size(); ++rank) {
@@ -239,6 +253,7 @@ bool Placer::State::placeAll(const View& view, const DistanceFields& fields, con
   // Lines are bound to their planes; a switch finds a place nearly anywhere, so it takes what they leave.
   const bool noPills = !showHidden && view.widthPx() * view.heightPx() < kPillsCrowdedPx2 * static_cast<double>(order.size() + others.size());
   for (const Measured& other : others) {
+    if (stays(other)) continue;
     if (noPills && other.annotation.type != HandleType::kAngular) {
       layout.hidden.push_back({other.parameter, HiddenReason::kCrowded});
       past.histories[other.parameter].choseNone();
@@ -249,15 +264,18 @@ bool Placer::State::placeAll(const View& view, const DistanceFields& fields, con
   return cramped;
 }
 
-void Placer::State::findVisible(const View& view, const ScopeVisibility* visibility) {
+void Placer::State::findVisible(const View& view, const ScopeVisibility* visibility, int framesOn) {
   assert(visibility == nullptr || visibility->seenShare.size() == scopes.size());
   inView.resize(scopes.size());
-  past.seen.resize(scopes.size(), 0);
+  seen.resize(scopes.size());
+  past.seenFrames.resize(scopes.size(), 0);
   for (std::size_t i = 0; i < scopes.size(); ++i) {
+    int& frames = past.seenFrames[i];
+    if (frames != 0) frames = std::clamp(frames + (frames > 0 ? framesOn : -framesOn), -kReturnFrames, kReturnFrames);
     inView[i] = dimline::inView(view, scopes[i].box) ? 1 : 0;
-    const double threshold = past.seen[i] != 0 ? kSeenShareToKeep : kSeenShareToShow;
-    const bool hidden = visibility != nullptr && static_cast<double>(visibility->seenShare[i]) < threshold;
-    past.seen[i] = inView[i] != 0 && !hidden ? 1 : 0;
+    const bool hidden = visibility != nullptr && static_cast<double>(visibility->seenShare[i]) < shareToBeSeen(frames);
+    seen[i] = inView[i] != 0 && !hidden ? 1 : 0;
+    if ((seen[i] != 0) != (frames > 0) || frames == 0) frames = seen[i] != 0 ? 1 : -1;
   }
 }
 
