@@ -9,43 +9,18 @@ namespace dimline {
 
 namespace {
 
-/// Up to so many boxes are marked with all their edges and at full strength; and no more edges than that are drawn at all.
+/// Up to so many boxes are marked with hidden edges too and at full strength; and no more pieces of edges than that are drawn at all.
 constexpr double kScopesInFull = 8;
 constexpr std::size_t kMostEdges = 1500;
 
-/// Adds the twelve edges of a box on screen. An edge is behind when both faces that meet in it are turned away.
-void addBoxEdges(const Obb& box, const View& view, float opacity, bool farSide, std::vector<OverlayEdge>& edges) {
-  bool facing[3][2];
-  for (int axis = 0; axis < 3; ++axis) {
-    for (int side = 0; side < 2; ++side) {
-      Vec3 middle(0.5);
-      middle[axis] = side;
-      const Vec3 at = box.at(middle);
-      const Vec3 outward = box.axes[static_cast<std::size_t>(axis)] * (side == 0 ? -1.0 : 1.0);
-      facing[axis][side] = glm::dot(outward, view.directionTo(at)) < 0;
-    }
-  }
-  for (int axis = 0; axis < 3; ++axis) {
-    if (!(box.size[axis] > 0)) continue;
-    const int first = (axis + 1) % 3;
-    const int second = (axis + 2) % 3;
-    for (int corner = 0; corner < 4; ++corner) {
-      const int a = corner & 1;
-      const int b = corner >> 1;
-      // A box without thickness has each of its edges once.
-      if ((a == 1 && !(box.size[first] > 0)) || (b == 1 && !(box.size[second] > 0))) continue;
-      const bool behind = !facing[first][a] && !facing[second][b];
-      if (behind && !farSide) continue;
-      Vec3 from(0.0);
-      from[first] = a;
-      from[second] = b;
-      Vec3 to = from;
-      to[axis] = 1;
-      const Segment edge{box.at(from), box.at(to)};
-      if (!view.inFrontOfNear(edge.start) || !view.inFrontOfNear(edge.end)) continue;
-      edges.push_back({view.toScreen(edge), behind, opacity});
-    }
-  }
+/// px. Nothing is marked so near to a label.
+constexpr double kLabelMarkGapPx = 3.0;
+
+void dropCovered(const Box2& label, std::vector<DragMark>& marks) {
+  std::erase_if(marks, [&](const DragMark& mark) {
+    const bool tick = mark.kind == DragMark::Kind::kTick || mark.kind == DragMark::Kind::kLongTick;
+    return tick && clipped(mark.line, label.grown(kLabelMarkGapPx));
+  });
 }
 
 }  // namespace
@@ -146,13 +121,28 @@ void Editor::State::buildOverlayMarks() {
   if (!linesShown) return;
   const double share = std::clamp((nowMs - hoverChangedMs) / kHoverMs, 0.0, 1.0);
   if (drag) {
-    drag->addMarks(values.at(drag->parameter()), drawn.view, dragSnap, dragMarks);
+    addDragMarks();
     markScopes(drag->parameter(), drawn.view, 1.0);
     return;
   }
   if (hovered) markScopes(hovered->parameter, drawn.view, hoveredBefore && hoveredBefore->parameter == hovered->parameter ? 1.0 : share);
   if (hoveredBefore && share < 1.0 && !(hovered && hovered->parameter == hoveredBefore->parameter)) {
     markScopes(hoveredBefore->parameter, drawn.view, 1.0 - share);
+  }
+}
+
+/// The marks of the drag, but for those that its own label covers.
+void Editor::State::addDragMarks() {
+  const double value = values.at(drag->parameter());
+  for (std::size_t i = 0; i < drawn.lines.size(); ++i) {
+    if (!lineStates[i].dragged || drag->line() == nullptr) continue;
+    drag->line()->addMarks(value, drawn.lines[i].lineScreen, drawn.view, dragSnap, dragMarks);
+    if (drawn.lines[i].label) dropCovered(*drawn.lines[i].label, dragMarks);
+  }
+  for (std::size_t i = 0; i < drawn.others.size(); ++i) {
+    if (!otherStates[i].dragged || drag->arc() == nullptr) continue;
+    drag->arc()->addMarks(value, drawn.view, dragSnap, dragMarks);
+    dropCovered(drawn.others[i].box, dragMarks);
   }
 }
 
@@ -164,8 +154,10 @@ void Editor::State::markScopes(std::size_t parameter, const View& view, double s
   const auto count = std::ranges::count_if(placed.visibleScopes, ofIt);
   // Many boxes together would be a thicket; each is the quieter, and its far side is left out.
   const auto opacity = static_cast<float>(share * std::clamp(kScopesInFull / static_cast<double>(std::max<std::ptrdiff_t>(count, 1)), 0.4, 1.0));
+  if (count == 0) return;
+  scopeMarks.begin(scene, view);
   for (const std::size_t i : placed.visibleScopes) {
-    if (ofIt(i)) addBoxEdges(scene.scopes[i].box, view, opacity, static_cast<double>(count) <= kScopesInFull, overlayEdges);
+    if (ofIt(i)) scopeMarks.add(scene.scopes[i].box, opacity, static_cast<double>(count) <= kScopesInFull, overlayEdges);
     if (overlayEdges.size() >= kMostEdges) return;
   }
 }

@@ -58,6 +58,7 @@ void Editor::State::rebuild() {
   placer.setScene(placedModel(), scene);
   fieldSource.setScene(scene);
   visibilitySource.sceneChanged();
+  scopeMarks.sceneChanged();
   sceneStale = false;
   viewStale = true;
   rendererSceneStale = true;

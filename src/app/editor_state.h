@@ -10,6 +10,7 @@
 #include "app/line_animator.h"
 #include "app/orbit_controls.h"
 #include "app/quality_governor.h"
+#include "app/scope_marks.h"
 #include "app/visibility_source.h"
 #include "editing/arc_drag.h"
 #include "editing/handle_drag.h"
@@ -53,10 +54,8 @@ public:
   double valueAt(const Vec2& pointer, const View& view, Snap snap) {
     return std::visit([&](auto& drag) { return drag.valueAt(pointer, view, snap); }, drag_);
   }
-  void addMarks(double value, const View& view, Snap snap, std::vector<DragMark>& marks) {
-    std::visit([&](auto& drag) { drag.addMarks(value, view, snap, marks); }, drag_);
-  }
   /// Null when it is the other one.
+  [[nodiscard]] HandleDrag* line() { return std::get_if<HandleDrag>(&drag_); }
   [[nodiscard]] const HandleDrag* line() const { return std::get_if<HandleDrag>(&drag_); }
   [[nodiscard]] const ArcDrag* arc() const { return std::get_if<ArcDrag>(&drag_); }
 
@@ -150,6 +149,7 @@ struct Editor::State {
   std::vector<std::vector<Vec2>> arcPoints;  ///< what overlayArcs point to
   std::vector<DragMark> dragMarks;
   std::vector<OverlayEdge> overlayEdges;
+  ScopeMarks scopeMarks;
 
   // editor.cpp
   [[nodiscard]] bool hasSize() const { return widthPx >= 1 && heightPx >= 1; }
@@ -203,6 +203,7 @@ struct Editor::State {
   void buildOverlayLines();
   void buildOverlayHandles();
   void buildOverlayMarks();
+  void addDragMarks();
   void markScopes(std::size_t parameter, const View& view, double share);
   void uploadScene();
   [[nodiscard]] bool wantsBetterPicture() const { return renderer && drawnQuality != RenderQuality::kFull; }

@@ -38,6 +38,20 @@ ScreenMotion screenMotion(const View& view, const Vec3& start, const Vec3& direc
   return motion;
 }
 
+/// px. An end that has moved by less is where it was.
+constexpr double kMovedPx = 1.0;
+
+/// The parts of the old line that reach beyond the present one, and bars where ends were that have moved.
+void addGhost(const Segment2& old, const Segment2& now, const Vec2& along, std::vector<DragMark>& marks) {
+  const auto add = [&](const Vec2& was, const Vec2& is, double outward) {
+    if (glm::length(was - is) < kMovedPx) return;
+    marks.push_back({DragMark::Kind::kGhost, barAcross(was, along, halfLengthPx(DragMark::Kind::kGhost))});
+    if (outward * glm::dot(was - is, along) > 0) marks.push_back({DragMark::Kind::kGhost, {is, was}});
+  };
+  add(old.end, now.end, 1.0);
+  add(old.start, now.start, -1.0);
+}
+
 /// m. Farther than anything in a model.
 constexpr double kElsewhereM = 1e9;
 
@@ -185,7 +199,7 @@ Segment HandleDrag::keptInPlace(const Segment& base) const {
   return atEnd_ ? Segment{line_.base.start, line_.base.start + along} : Segment{line_.base.end - along, line_.base.end};
 }
 
-void HandleDrag::addMarks(double value, const View& view, Snap snap, std::vector<DragMark>& marks) {
+void HandleDrag::addMarks(double value, const Segment2& now, const View& view, Snap snap, std::vector<DragMark>& marks) {
   const Parameter parameter = snappedBy(model_->parameters()[line_.parameter], snap);
   const Reach reach = [this](double at) { return endAt(at); };
   ValueSearch& tried = search(snap);
@@ -199,10 +213,7 @@ void HandleDrag::addMarks(double value, const View& view, Snap snap, std::vector
   const Segment2 old = view.toScreen(line_.line);
   const Vec2 along = glm::normalize(old.end - old.start);
 
-  if (value != startValue) {
-    marks.push_back({DragMark::Kind::kGhost, old});
-    marks.push_back({DragMark::Kind::kGhost, barAcross(atEnd_ ? old.end : old.start, along, halfLengthPx(DragMark::Kind::kGhost))});
-  }
+  if (value != startValue) addGhost(old, now, along, marks);
   const auto addLimit = [&](double limit, std::optional<double> endM) {
     const auto at = endM ? screenAt(*endM) : std::nullopt;
     if (!at || !view.viewport().overlaps({*at, *at})) return;

@@ -49,9 +49,10 @@ public:
   /// any more or the line cannot be projected.
   [[nodiscard]] std::optional<PlacedLine> lineOn(const Scene& scene, const Values& values, const View& view) const;
 
-  /// Adds what is shown beside the line while it has this value: the old extent, the values that come next, the ends of the range. Where the rule is rounded or
-  /// bent, of the values only those are known that were tried. `view`: of the same camera as begin()'s.
-  void addMarks(double value, const View& view, Snap snap, std::vector<DragMark>& marks);
+  /// Adds what is shown beside the line while it has this value and lies at `now` on screen: the old extent, as far as it reaches beyond, the values that
+  /// come next, the ends of the range. Where the rule is rounded or bent, of the values only those are known that were tried. `view`: of the same camera as
+  /// begin()'s.
+  void addMarks(double value, const Segment2& now, const View& view, Snap snap, std::vector<DragMark>& marks);
 
   /// How often the model was evaluated so far.
   [[nodiscard]] int evaluations() const;

@@ -304,21 +304,27 @@ TEST_CASE("beside the dragged line stand the old extent, once there is another, 
   const Desk desk(boxWithDoor(), frontCamera());
   const PlacedLine line = desk.line("Height", 0, {-0.5, 0, 0});
   auto drag = desk.grab(line, true);
+  const auto at = [&](double value) {
+    Values values = desk.values;
+    values.set(line.parameter, value);
+    return drag->lineOn(desk.sceneAt(line.parameter, value), values, desk.view)->lineScreen;
+  };
   const auto countAt = [&](double value, DragMark::Kind kind) {
     std::vector<DragMark> marks;
-    drag->addMarks(value, desk.view, Snap::kStep, marks);
+    drag->addMarks(value, at(value), desk.view, Snap::kStep, marks);
     return std::ranges::count(marks, kind, &DragMark::kind);
   };
   REQUIRE(countAt(5, DragMark::Kind::kGhost) == 0);
-  REQUIRE(countAt(6, DragMark::Kind::kGhost) == 2);
+  REQUIRE(countAt(6, DragMark::Kind::kGhost) == 1);  // where the end was
+  REQUIRE(countAt(4, DragMark::Kind::kGhost) == 2);  // and from there to where it is
   REQUIRE(countAt(5, DragMark::Kind::kTick) > 5);
   REQUIRE(countAt(5, DragMark::Kind::kLimit) == 1);  // 0.5 m; 20 m is above the picture
   REQUIRE(countAt(0.5, DragMark::Kind::kLimitReached) == 1);
   std::vector<DragMark> marks;
-  drag->addMarks(6, desk.view, Snap::kNone, marks);
+  drag->addMarks(6, at(6), desk.view, Snap::kNone, marks);
   REQUIRE(std::ranges::count(marks, DragMark::Kind::kTick, &DragMark::kind) == 0);
   const auto ghost = std::ranges::find(marks, DragMark::Kind::kGhost, &DragMark::kind);
-  REQUIRE(glm::length(ghost->line.end - line.lineScreen.end) < 1e-9);
+  REQUIRE(glm::length(ghost->line.middle() - line.lineScreen.end) < 1e-9);
 }
 
 TEST_CASE(

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <vector>
+
+#include "model/scene.h"
+#include "render/overlay.h"
+#include "silhouette/depth_buffer.h"
+
+namespace dimline {
+
+/// The edges of scopes' boxes as they are marked in the picture: plain where they are seen, faint where the model hides them.
+class ScopeMarks {
+public:
+  void sceneChanged() { stale_ = true; }
+
+  /// To be called before add(). Draws the model's depth when it is not that of this scene and view any more: some milliseconds.
+  void begin(const Scene& scene, const View& view);
+
+  /// Adds the twelve edges of a box, in pieces that are seen or hidden; without those that are hidden unless `hiddenToo`.
+  void add(const Obb& box, float opacity, bool hiddenToo, std::vector<OverlayEdge>& edges) const;
+
+private:
+  [[nodiscard]] bool seen(const Vec3& point) const;
+  void addEdge(const Segment& edge, float opacity, bool hiddenToo, std::vector<OverlayEdge>& edges) const;
+
+  DepthBuffer depth_;
+  View view_;
+  double skinM_ = 0;
+  bool stale_ = true;
+};
+
+}  // namespace dimline
