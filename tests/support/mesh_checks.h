@@ -1,13 +1,12 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
-#include <map>
 #include <numeric>
 #include <span>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "model/scene.h"
@@ -15,8 +14,8 @@
 /// What holds for every mesh that the Builder makes: closed parts, outward faces, honest normals.
 namespace dimline::test {
 
-/// The triangles of a mesh (indices), grouped by which of them hang together through shared points.
-inline std::vector<std::vector<std::size_t>> partsOf(const Mesh& mesh) {
+/// For each triangle, the number of the part that it belongs to: parts are what hangs together through shared points.
+inline std::vector<std::uint32_t> partNumbers(const Mesh& mesh, std::uint32_t& count) {
   std::vector<std::uint32_t> root(mesh.positions.size());
   std::iota(root.begin(), root.end(), 0U);
   const auto find = [&](std::uint32_t i) {
@@ -27,11 +26,15 @@ inline std::vector<std::vector<std::size_t>> partsOf(const Mesh& mesh) {
     root[find(t[1])] = find(t[0]);
     root[find(t[2])] = find(t[0]);
   }
-  std::map<std::uint32_t, std::vector<std::size_t>> groups;
-  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) groups[find(mesh.triangles[i][0])].push_back(i);
-  std::vector<std::vector<std::size_t>> parts;
-  for (auto& [key, triangles] : groups) parts.push_back(std::move(triangles));
-  return parts;
+  constexpr std::uint32_t kNone = ~0U;
+  std::vector<std::uint32_t> numberOfRoot(root.size(), kNone), numbers(mesh.triangles.size());
+  count = 0;
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    std::uint32_t& number = numberOfRoot[find(mesh.triangles[i][0])];
+    if (number == kNone) number = count++;
+    numbers[i] = number;
+  }
+  return numbers;
 }
 
 inline std::array<Vec3, 3> corners(const Mesh& mesh, std::size_t triangle) {
@@ -39,21 +42,26 @@ inline std::array<Vec3, 3> corners(const Mesh& mesh, std::size_t triangle) {
   return {Vec3(mesh.positions[t[0]]), Vec3(mesh.positions[t[1]]), Vec3(mesh.positions[t[2]])};
 }
 
-/// Signed volume of a closed part: positive when its faces are counter-clockwise seen from outside.
-inline double volumeOf(const Mesh& mesh, const std::vector<std::size_t>& part) {
-  double six = 0;
-  const Vec3 near = corners(mesh, part.front())[0];  // keeps the sum small for parts far from the origin
-  for (const std::size_t i : part) {
+/// Six times each part's signed volume: positive when its faces are counter-clockwise seen from outside.
+inline std::vector<double> sixVolumes(const Mesh& mesh, std::span<const std::uint32_t> partOf, std::size_t parts) {
+  std::vector<double> six(parts, 0);
+  std::vector<Vec3> near(parts);  // keeps the sum small for parts far from the origin
+  std::vector<bool> begun(parts);
+  for (std::size_t i = 0; i < partOf.size(); ++i) {
     const auto [a, b, c] = corners(mesh, i);
-    six += glm::dot(a - near, glm::cross(b - near, c - near));
+    const std::uint32_t part = partOf[i];
+    if (!begun[part]) near[part] = a;
+    begun[part] = true;
+    six[part] += glm::dot(a - near[part], glm::cross(b - near[part], c - near[part]));
   }
-  return six / 6;
+  return six;
 }
 
 inline double volumeOf(const Mesh& mesh) {
-  double sum = 0;
-  for (const auto& part : partsOf(mesh)) sum += volumeOf(mesh, part);
-  return sum;
+  std::uint32_t parts = 0;
+  const std::vector<std::uint32_t> partOf = partNumbers(mesh, parts);
+  const std::vector<double> six = sixVolumes(mesh, partOf, parts);
+  return std::accumulate(six.begin(), six.end(), 0.0) / 6;
 }
 
 /// The area of a mesh's faces.
@@ -64,6 +72,61 @@ inline double areaOf(const Mesh& mesh) {
     sum += glm::length(glm::cross(b - a, c - a)) * 0.5;
   }
   return sum;
+}
+
+/// The first edge of a triangle whose other side is not exactly one triangle; two-sided ones are left out. Empty when there is none.
+inline std::string openEdgeOf(const Mesh& mesh, std::span<const Material> materials) {
+  const auto counts = [&](std::size_t triangle) { return !materials[mesh.materials[triangle]].twoSided; };
+  // The edges from each point lie together, found by counting: meshes are large, and this is asked of thousands.
+  std::vector<std::uint32_t> first(mesh.positions.size() + 1, 0);
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    if (!counts(i)) continue;
+    for (const std::uint32_t from : mesh.triangles[i]) ++first[from + 1];
+  }
+  std::partial_sum(first.begin(), first.end(), first.begin());
+  std::vector<std::uint32_t> to(first.back()), next(first.begin(), first.end() - 1);
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    if (!counts(i)) continue;
+    for (std::size_t k = 0; k < 3; ++k) to[next[mesh.triangles[i][k]]++] = mesh.triangles[i][(k + 1) % 3];
+  }
+  const auto edges = [&](std::uint32_t from, std::uint32_t end) {
+    return std::count(to.begin() + first[from], to.begin() + first[from + 1], end);
+  };
+  const auto place = [&](std::uint32_t point) {
+    const glm::vec3 p = mesh.positions[point];
+    return std::to_string(p.x) + ", " + std::to_string(p.y) + ", " + std::to_string(p.z);
+  };
+  for (std::uint32_t from = 0; from + 1 < first.size(); ++from) {
+    for (std::uint32_t i = first[from]; i < first[from + 1]; ++i) {
+      if (edges(from, to[i]) != 1 || edges(to[i], from) != 1)
+        return "an edge is not shared by two triangles, from " + place(from) + " to " + place(to[i]);
+    }
+  }
+  return {};
+}
+
+/// The first thing that is wrong with a triangle; empty when nothing is.
+inline std::string triangleDefectOf(const Mesh& mesh, std::size_t i, std::size_t materials) {
+  const auto which = [&] { return "triangle " + std::to_string(i); };
+  for (const std::uint32_t p : mesh.triangles[i]) {
+    if (p >= mesh.positions.size()) return which() + " has a corner that does not exist";
+  }
+  if (mesh.materials[i] >= materials) return which() + " has a material that does not exist";
+  const auto [a, b, c] = corners(mesh, i);
+  const Vec3 across = glm::cross(b - a, c - a);
+  const double twiceArea = glm::length(across);
+  const double longest = std::sqrt(std::max({glm::dot(b - a, b - a), glm::dot(c - b, c - b), glm::dot(a - c, a - c)}));
+  if (!(twiceArea > 1e-6 * longest)) {  // its height, m: floats at 20 m are 2e-6 apart
+    return which() + " is flat, at " + std::to_string(a.x) + ", " + std::to_string(a.y) + ", " + std::to_string(a.z);
+  }
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Vec3 corner(mesh.normals[i][k]);
+    const glm::vec2 uv = mesh.uvs[i][k];
+    if (!(std::abs(glm::dot(corner, corner) - 1) < 2e-4)) return which() + " has a normal whose length is not 1";
+    if (!(glm::dot(corner, across) > 0.3 * twiceArea)) return which() + " has a normal that points away from its face";
+    if (!std::isfinite(uv.x) || !std::isfinite(uv.y)) return which() + " has a uv that is no number";
+  }
+  return {};
 }
 
 /// The first thing that is wrong with a mesh whose parts should all be closed solids, but for those of two-sided materials, which may
@@ -77,49 +140,20 @@ inline std::string defectOf(const Mesh& mesh, std::span<const Material> material
   }
   std::vector<bool> used(mesh.positions.size());
   for (std::size_t i = 0; i < n; ++i) {
-    const std::string which = "triangle " + std::to_string(i);
-    for (const std::uint32_t p : mesh.triangles[i]) {
-      if (p >= mesh.positions.size()) return which + " has a corner that does not exist";
-      used[p] = true;
-    }
-    if (mesh.materials[i] >= materials.size()) return which + " has a material that does not exist";
-    const auto [a, b, c] = corners(mesh, i);
-    const Vec3 normal = glm::cross(b - a, c - a);
-    const double longest = std::max({glm::length(b - a), glm::length(c - b), glm::length(a - c)});
-    if (!(glm::length(normal) > 1e-6 * longest)) {  // its height, m: floats at 20 m are 2e-6 apart
-      return which + " is flat, at " + std::to_string(a.x) + ", " + std::to_string(a.y) + ", " + std::to_string(a.z);
-    }
-    for (int k = 0; k < 3; ++k) {
-      const Vec3 corner(mesh.normals[i][static_cast<std::size_t>(k)]);
-      const glm::vec2 uv = mesh.uvs[i][static_cast<std::size_t>(k)];
-      if (!(std::abs(glm::length(corner) - 1) < 1e-4)) return which + " has a normal whose length is not 1";
-      if (!(glm::dot(corner, glm::normalize(normal)) > 0.3))
-        return which + " has a normal that points away from its face";
-      if (!std::isfinite(uv.x) || !std::isfinite(uv.y)) return which + " has a uv that is no number";
-    }
+    std::string defect = triangleDefectOf(mesh, i, materials.size());
+    if (!defect.empty()) return defect;
+    for (const std::uint32_t p : mesh.triangles[i]) used[p] = true;
   }
   for (std::size_t i = 0; i < used.size(); ++i) {
     if (!used[i]) return "point " + std::to_string(i) + " belongs to no triangle";
   }
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
-  const auto twoSided = [&](std::size_t triangle) { return materials[mesh.materials[triangle]].twoSided; };
+  if (std::string open = openEdgeOf(mesh, materials); !open.empty()) return open;
+  std::uint32_t parts = 0;
+  const std::vector<std::uint32_t> partOf = partNumbers(mesh, parts);
+  const std::vector<double> volumes = sixVolumes(mesh, partOf, parts);
   for (std::size_t i = 0; i < n; ++i) {
-    if (twoSided(i)) continue;
-    for (std::size_t k = 0; k < 3; ++k) edges.emplace_back(mesh.triangles[i][k], mesh.triangles[i][(k + 1) % 3]);
-  }
-  std::sort(edges.begin(), edges.end());
-  for (std::size_t i = 0; i < edges.size(); ++i) {
-    const auto [from, to] = edges[i];
-    const bool twice = i + 1 < edges.size() && edges[i] == edges[i + 1];
-    if (twice || !std::binary_search(edges.begin(), edges.end(), std::pair(to, from))) {
-      const glm::vec3 p = mesh.positions[from], q = mesh.positions[to];
-      return "an edge is not shared by two triangles, from " + std::to_string(p.x) + ", " + std::to_string(p.y) + ", " +
-             std::to_string(p.z) + " to " + std::to_string(q.x) + ", " + std::to_string(q.y) + ", " +
-             std::to_string(q.z);
-    }
-  }
-  for (const auto& part : partsOf(mesh)) {
-    if (!twoSided(part.front()) && !(volumeOf(mesh, part) > 0)) return "a part of " + std::to_string(part.size()) + " triangles is inside out";
+    if (materials[mesh.materials[i]].twoSided || volumes[partOf[i]] > 0) continue;
+    return "the part of triangle " + std::to_string(i) + " is inside out";
   }
   return {};
 }
