@@ -100,6 +100,31 @@ double Plan::deckH(double x) const {
   return x > forecastle.fromX && x < forecastle.toX ? std::max(h, forecastle.h) : h;
 }
 
+Vec3 SailSurface::at(double across, double down) const {
+  const double width = sail.headWidth + (sail.footWidth - sail.headWidth) * down;
+  const double hollow = 1 - 0.05 * std::sin(kPi * down);  // the leeches are drawn in
+  const double round = std::cos(kPi / 2 * across * 0.96);
+  const double fill = std::sin(kPi * std::pow(down, 0.85) * 0.86);
+  const double height = sail.yardY - sail.footY;
+  const double roach = sail.roach * std::cos(kPi / 2 * across) * down * down;  // and the foot upwards
+  return {x + sail.belly * round * fill, sail.yardY - 0.12 - (height - 0.12) * down + roach, width * 0.5 * across * hollow};
+}
+
+Segment stayBefore(const SailSurface& sail, const Vec3& head, Vec3 end) {
+  for (int i = 1; i <= 20; ++i) {
+    const Vec3 cloth = sail.at(0, i / 20.0) + Vec3(kStayClearM, 0, 0);
+    if (cloth.y >= head.y || cloth.x >= end.x) continue;
+    // The straight line from the head that touches the cloth there.
+    end.y = std::max(end.y, head.y - (head.y - cloth.y) * (end.x - head.x) / (cloth.x - head.x));
+  }
+  return {head, end};
+}
+
+double Mast::yardX(std::size_t i) const {
+  const double masts[] = {x, topmastX(), gallantX()}, radii[] = {radius, 0.6 * radius, 0.36 * radius};
+  return masts[i] + radii[i] + yardRadius(i) + 0.08;
+}
+
 Plan planBoat(const Values& values) {
   Plan plan;
   HullForm& hull = plan.hull;

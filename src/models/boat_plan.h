@@ -95,6 +95,17 @@ struct SquareSail {
   double roach = 0;  ///< how far its foot is hollowed in the middle: an upper sail's clears the top behind it
 };
 
+/// The surface of a square sail whose head is at `x`: across runs from -1 on the port side to 1, down from 0 at the yard to 1 at the foot.
+struct SailSurface {
+  const SquareSail& sail;
+  double x;
+  [[nodiscard]] Vec3 at(double across, double down) const;
+};
+
+/// A stay from a mast's head forward to `end`, or to as far above that as it takes to pass kStayClearM before a full sail.
+Segment stayBefore(const SailSurface& sail, const Vec3& head, Vec3 end);
+inline constexpr double kStayClearM = 0.35;
+
 struct Mast {
   double x = 0;
   double deckY = 0;               ///< of the deck that it rises from
@@ -107,6 +118,11 @@ struct Mast {
   [[nodiscard]] double topY() const { return deckY + 0.45 * height; }
   [[nodiscard]] double topRadius() const { return 0.62 + 0.022 * height; }
   [[nodiscard]] double truckY() const { return deckY + height; }
+  [[nodiscard]] double topmastX() const { return x + 1.55 * radius; }
+  [[nodiscard]] double gallantX() const { return topmastX() + radius; }
+  [[nodiscard]] double yardRadius(std::size_t i) const { return 0.06 + 0.0095 * sails[i].headWidth; }
+  [[nodiscard]] double yardX(std::size_t i) const;
+  [[nodiscard]] SailSurface sailSurface(std::size_t i) const { return {sails[i], yardX(i) + 0.3 * yardRadius(i)}; }
 };
 
 struct Battery {

@@ -10,26 +10,8 @@ namespace dimline::boat {
 namespace {
 
 constexpr double kPi = 3.14159265358979323846;
-constexpr double kHalfPi = kPi / 2;
 
 // --- Sails ---------------------------------------------------------------------------------------------------------------
-
-/// The surface of a square sail: across runs from -1 on the port side to 1, down from 0 at the yard to 1 at the foot.
-struct SailSurface {
-  const SquareSail& sail;
-  double x;
-
-  [[nodiscard]] Vec3 at(double across, double down) const {
-    const double width = sail.headWidth + (sail.footWidth - sail.headWidth) * down;
-    const double hollow = 1 - 0.05 * std::sin(kPi * down);  // the leeches are drawn in
-    const double round = std::cos(kHalfPi * across * 0.96);
-    const double fill = std::sin(kPi * std::pow(down, 0.85) * 0.86) / std::sin(kPi * 0.5);
-    const double height = sail.yardY - sail.footY;
-    const double roach = sail.roach * std::cos(kHalfPi * across) * down * down;  // and the foot upwards
-    return {x + sail.belly * round * fill, sail.yardY - 0.12 - (height - 0.12) * down + roach,
-            width * 0.5 * across * hollow};
-  }
-};
 
 void drawCross(const Ship& ship, const SailSurface& surface) {
   Builder& b = ship.b;
@@ -77,10 +59,9 @@ void drawCloths(const Ship& ship, const SailSurface& surface, int cloths, int ro
   ship.b.sheet(rows, 0.03, options);
 }
 
-void drawSail(const Ship& ship, const SquareSail& sail, double x, PartId reefPoint, std::span<const double> reefs,
-              bool cross) {
+void drawSail(const Ship& ship, const SailSurface& surface, PartId reefPoint, std::span<const double> reefs, bool cross) {
   Builder& b = ship.b;
-  const SailSurface surface{sail, x};
+  const SquareSail& sail = surface.sail;
   const int cloths = std::clamp(static_cast<int>(std::lround(sail.footWidth / 1.05)), 8, 18);
   drawCloths(ship, surface, cloths, 8);
 
@@ -200,7 +181,7 @@ void nameMast(const Ship& ship, const Mast& mast, std::string_view name) {
 void drawSquareMast(const Ship& ship, const Mast& mast, std::string_view name, PartId reefPoint, bool cross) {
   Builder& b = ship.b;
   const double r = mast.radius;
-  const double xTop = mast.x + 1.55 * r, xGallant = xTop + 1.0 * r;
+  const double xTop = mast.topmastX(), xGallant = mast.gallantX();
   drawPole(ship, mast, mast.x, -0.02, 0.50, r, 0.78 * r, 16);
   drawPole(ship, mast, xTop, 0.435, 0.775, 0.66 * r, 0.46 * r, 12);
   drawPole(ship, mast, xGallant, 0.735, 0.995, 0.38 * r, 0.2 * r, 10);
@@ -216,14 +197,11 @@ void drawSquareMast(const Ship& ship, const Mast& mast, std::string_view name, P
   drawCap(ship, {xTop, mast.deckY + 0.772 * mast.height, 0}, 0.5 * r, 1.0 * r);
   drawTruck(ship, mast, xGallant);
 
-  const double masts[] = {mast.x, xTop, xGallant}, radii[] = {r, 0.6 * r, 0.36 * r};
   for (std::size_t i = 0; i < mast.sails.size(); ++i) {
-    const SquareSail& sail = mast.sails[i];
-    const double yard = 0.06 + 0.0095 * sail.headWidth, x = masts[i] + radii[i] + yard + 0.08;
-    drawYard(ship, x, sail.yardY, sail.headWidth * 1.1, yard);
+    drawYard(ship, mast.yardX(i), mast.sails[i].yardY, mast.sails[i].headWidth * 1.1, mast.yardRadius(i));
     const double reefs[] = {0.17, 0.31};
     const std::size_t bands = i == 0 ? 1 : i == 1 ? 2 : 0;
-    drawSail(ship, sail, x + 0.3 * yard, reefPoint, std::span(reefs, bands), cross && i == 0);
+    drawSail(ship, mast.sailSurface(i), reefPoint, std::span(reefs, bands), cross && i == 0);
   }
   nameMast(ship, mast, name);
 }

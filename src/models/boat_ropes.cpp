@@ -95,8 +95,8 @@ void drawUpperShrouds(const Ship& ship, const Vec3& middle, double radius, const
 struct Heads {
   explicit Heads(const Mast& mast)
       : r(mast.radius),
-        topmastX(mast.x + 1.55 * r),
-        gallantX(topmastX + r),
+        topmastX(mast.topmastX()),
+        gallantX(mast.gallantX()),
         topRadius(mast.topRadius()),
         top(mast.x + 0.4 * r, mast.topY(), 0),
         topmastHead(topmastX, mast.deckY + 0.745 * mast.height, 0),
@@ -155,9 +155,9 @@ struct Stays {
   explicit Stays(const Plan& plan) {
     const Heads fore(plan.fore), heads(plan.main);
     const double deck = plan.hull.sideAt(plan.fore.x, plan.deckH(plan.fore.x)).y;
-    main = {heads.top + Vec3(0, 0.5, 0), {plan.fore.x - 0.9, deck + 0.5, 0}};
-    mainTop = {heads.topmastHead, fore.top + Vec3(-0.5, 0.3, 0)};
-    mainGallant = {heads.gallantHead, fore.topmastHead + Vec3(-0.3, 0.2, 0)};
+    main = stayBefore(plan.main.sailSurface(0), heads.top + Vec3(0, 0.5, 0), {plan.fore.x - 0.9, deck + 0.5, 0});
+    mainTop = stayBefore(plan.main.sailSurface(1), heads.topmastHead, fore.top + Vec3(-0.5, 0.3, 0));
+    mainGallant = stayBefore(plan.main.sailSurface(2), heads.gallantHead, fore.topmastHead + Vec3(-0.3, 0.2, 0));
   }
   Segment main, mainTop, mainGallant;
 };

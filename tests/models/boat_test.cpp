@@ -116,6 +116,25 @@ TEST_CASE("sails taper upwards at the defaults, and no sail hangs into the one b
   }
 }
 
+TEST_CASE("a stay passes before the sail behind it, at its old place where that is clear") {
+  for (const Values& values : test::manySettings(theBoat().parameters(), 200)) {
+    INFO(test::text(theBoat().parameters(), values));
+    const Plan plan = boat::planBoat(values);
+    const boat::SailSurface sail = plan.main.sailSurface(0);
+    const Vec3 head(plan.main.x, plan.main.topY() + 0.5, 0), foot(plan.fore.x - 0.9, plan.fore.deckY + 0.5, 0);
+    const Segment stay = boat::stayBefore(sail, head, foot);
+    CHECK((stay.end.x == foot.x && stay.end.y >= foot.y && stay.end.y < head.y));
+    for (int i = 2; i <= 40; ++i) {
+      const Vec3 cloth = sail.at(0, i / 40.0);
+      const double along = (head.y - cloth.y) / (head.y - stay.end.y);
+      if (along < 1) CHECK(glm::mix(stay.start, stay.end, along).x > cloth.x + 0.9 * boat::kStayClearM);
+    }
+  }
+  const Plan plan = boat::planBoat(with({{"SailBelly", 0.4}}));
+  const Vec3 foot(plan.fore.x, plan.fore.deckY, 0);
+  CHECK(boat::stayBefore(plan.main.sailSurface(0), {plan.main.x, plan.main.topY() + 0.5, 0}, foot).end == foot);
+}
+
 TEST_CASE("masts and castles leave each other room") {
   for (const Values& values : test::manySettings(theBoat().parameters(), 300)) {
     INFO(test::text(theBoat().parameters(), values));
