@@ -88,56 +88,57 @@ void MeshBuilder::quad(const Corner& a, const Corner& b, const Corner& c, const 
 }
 
 void MeshBuilder::smooth(double creaseRad) {
-  const std::size_t count = mesh_.triangles.size() - firstTriangle_;
-  const double least = std::cos(creaseRad);
-  // Corner 3 t + k is corner k of the part's triangle t.
-  std::vector<Vec3> faces(count);
-  std::vector<double> weights(3 * count);
-  std::vector<std::uint32_t> firstAt(points_.size() + 1, 0), around(3 * count);
-  const auto pointOf = [&](std::size_t corner) {
-    return mesh_.triangles[firstTriangle_ + corner / 3][corner % 3] - firstPoint_;
-  };
-  for (std::size_t t = 0; t < count; ++t) {
-    const Vec3 p[] = {points_[pointOf(3 * t)], points_[pointOf(3 * t + 1)], points_[pointOf(3 * t + 2)]};
-    const Vec3 normal = glm::cross(p[1] - p[0], p[2] - p[0]);
+  const std::span triangles(mesh_.triangles.begin() + static_cast<std::ptrdiff_t>(firstTriangle_), mesh_.triangles.end());
+  const std::span normals(mesh_.normals.begin() + static_cast<std::ptrdiff_t>(firstTriangle_), mesh_.normals.end());
+  Smoothing& s = smoothing_;
+  s.faces.resize(triangles.size());
+  s.firstAt.assign(points_.size() + 1, 0);
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    const auto& corners = triangles[t];
+    for (const std::uint32_t p : corners) ++s.firstAt[p - firstPoint_ + 1];
+    const Vec3 normal = glm::cross(at(corners[1]) - at(corners[0]), at(corners[2]) - at(corners[0]));
     const double area = glm::length(normal);
-    faces[t] = area > 0 ? normal / area : Vec3(mesh_.normals[firstTriangle_ + t][0]);
-    for (std::size_t k = 0; k < 3; ++k) {
+    s.faces[t] = {area > 0 ? normal / area : Vec3(normals[t][0]), area};
+  }
+  for (std::size_t i = 1; i < s.firstAt.size(); ++i) s.firstAt[i] += s.firstAt[i - 1];
+  s.around.resize(3 * triangles.size());
+  s.next.assign(s.firstAt.begin(), s.firstAt.end() - 1);
+  for (std::uint32_t t = 0; t < triangles.size(); ++t) {
+    const auto& corners = triangles[t];
+    for (std::uint8_t k = 0; k < 3; ++k) {
       // Weights after Max (1999): exact on a sphere, however it is cut into triangles.
-      const Vec3 a = p[(k + 1) % 3] - p[k], b = p[(k + 2) % 3] - p[k];
-      weights[3 * t + k] = area / std::max(glm::dot(a, a) * glm::dot(b, b), 1e-30);
-      ++firstAt[pointOf(3 * t + k) + 1];
+      const Vec3 a = at(corners[(k + 1) % 3]) - at(corners[k]), b = at(corners[(k + 2) % 3]) - at(corners[k]);
+      const double weight = s.faces[t].area / std::max(glm::dot(a, a) * glm::dot(b, b), 1e-30);
+      s.around[s.next[corners[k] - firstPoint_]++] = {s.faces[t].normal * weight, t, k};
     }
   }
-  for (std::size_t i = 1; i < firstAt.size(); ++i) firstAt[i] += firstAt[i - 1];
-  std::vector<std::uint32_t> next(firstAt.begin(), firstAt.end() - 1);
-  for (std::size_t corner = 0; corner < around.size(); ++corner) {
-    around[next[pointOf(corner)]++] = static_cast<std::uint32_t>(corner);
-  }
-  const auto write = [&](std::size_t corner, const Vec3& sum) {
-    const double length = glm::length(sum);
-    mesh_.normals[firstTriangle_ + corner / 3][corner % 3] = glm::vec3(length > 0 ? sum / length : faces[corner / 3]);
-  };
+  const double least = std::cos(creaseRad);
   // Where all faces around a point are within half the crease of one of them, they all meet at less than the crease.
   const double half = std::cos(creaseRad * 0.5);
-  for (std::size_t point = 0; point + 1 < firstAt.size(); ++point) {
-    const std::span corners(around.begin() + firstAt[point], around.begin() + firstAt[point + 1]);
+  for (std::size_t point = 0; point + 1 < s.firstAt.size(); ++point) {
+    const std::span corners(s.around.begin() + s.firstAt[point], s.around.begin() + s.firstAt[point + 1]);
     if (corners.empty()) continue;
+    const auto faceOf = [&](const Smoothing::Corner& corner) -> const Vec3& { return s.faces[corner.triangle].normal; };
+    const auto unit = [](const Vec3& sum, const Vec3& otherwise) {
+      const double length = glm::length(sum);
+      return glm::vec3(length > 0 ? sum / length : otherwise);
+    };
     Vec3 all(0.0);
     bool one = true;
-    for (const std::uint32_t corner : corners) {
-      all += faces[corner / 3] * weights[corner];
-      one = one && glm::dot(faces[corner / 3], faces[corners[0] / 3]) >= half;
+    for (const Smoothing::Corner& corner : corners) {
+      all += corner.weighted;
+      one = one && glm::dot(faceOf(corner), faceOf(corners[0])) >= half;
     }
-    for (const std::uint32_t corner : corners) {
-      Vec3 sum = all;
-      if (!one) {
-        sum = Vec3(0.0);
-        for (const std::uint32_t other : corners) {
-          if (glm::dot(faces[other / 3], faces[corner / 3]) >= least) sum += faces[other / 3] * weights[other];
-        }
+    const glm::vec3 shared = one ? unit(all, faceOf(corners[0])) : glm::vec3(0.0F);
+    for (const Smoothing::Corner& corner : corners) {
+      glm::vec3& normal = normals[corner.triangle][corner.corner];
+      normal = shared;
+      if (one) continue;
+      Vec3 sum(0.0);
+      for (const Smoothing::Corner& other : corners) {
+        if (glm::dot(faceOf(other), faceOf(corner)) >= least) sum += other.weighted;
       }
-      write(corner, sum);
+      normal = unit(sum, faceOf(corner));
     }
   }
 }

@@ -57,6 +57,22 @@ private:
   std::vector<std::uint32_t> ring_;
   std::unordered_multimap<std::uint64_t, std::uint32_t> cells_;
   std::size_t welded_ = 0;  // so many of points_ are in cells_
+
+  // What smooth() works with, kept from part to part: a model has thousands of them.
+  struct Smoothing {
+    struct Face {
+      Vec3 normal;
+      double area;  // twice it
+    };
+    struct Corner {
+      Vec3 weighted;  // the face's normal, as much as it counts at this corner
+      std::uint32_t triangle;
+      std::uint8_t corner;
+    };
+    std::vector<Face> faces;
+    std::vector<Corner> around;  // the corners at each point, point by point
+    std::vector<std::uint32_t> firstAt, next;
+  } smoothing_;
 };
 
 /// The two directions in which a plane's uv run, in metres: u horizontal (to the right seen from outside), v up the
