@@ -26,6 +26,11 @@ constexpr double kShortestPx = 0.75;
 constexpr double kDetailWidthPx = 6.0;
 constexpr double kNarrowestPx = 1.8;
 
+/// px. What is narrower than the first, seen against the background, is a rope or a leaf, or the gap between two: an outline on either side
+/// would leave nothing but ink of it. Narrower than the second, its border is a detail.
+constexpr double kBodyPx = 8.0;
+constexpr double kThinPx = 4.0;
+
 /// Share of the depth by which an edge may lie behind what is seen beside it: it lies on that surface.
 constexpr double kDepthTolerance = 3e-4;
 
@@ -122,7 +127,7 @@ private:
       const bool outline = 2 * background > end - i && weight != LineWeight::kEdge;
       const bool speck = seen.length() < kSpeckPx && seen.length() < kMostOfEdge * lengthPx;
       if (outline ? seen.length() > 0 : seen.length() >= kShortestPx && !speck) {
-        lines_.push_back({seen, outline ? LineWeight::kOutline : weight});
+        lines_.push_back({seen, outline ? outlineWeight(seen) : weight});
       }
       i = end - 1;
     }
@@ -144,6 +149,32 @@ private:
       }
     }
     return result;
+  }
+
+  /// The pen for a border between the model and the background: as heavy as the narrower of the two beside it is wide.
+  [[nodiscard]] LineWeight outlineWeight(const Segment2& border) const {
+    const Vec2 along = border.end - border.start;
+    const Vec2 across = Vec2(-along.y, along.x) / std::max(glm::length(along), 1e-9);
+    double widthPx = 0;
+    constexpr int kLooks = 3;
+    for (int i = 0; i < kLooks; ++i) {
+      const Vec2 p = border.start + along * ((i + 0.5) / kLooks);
+      const auto widest = [&](bool model) { return std::max(widthFrom(p, across, model), widthFrom(p, -across, model)); };
+      widthPx += std::min(widest(true), widest(false)) / kLooks;
+    }
+    return widthPx >= kBodyPx ? LineWeight::kOutline : widthPx >= kThinPx ? LineWeight::kEdge : LineWeight::kDetail;
+  }
+
+  /// How far the model, or the background, reaches from a point of their border, in px; kBodyPx where it is farther.
+  [[nodiscard]] double widthFrom(const Vec2& pointPx, const Vec2& direction, bool model) const {
+    const double step = 1 / picture_.samplesPerPx;
+    for (double px = 2 * step; px < kBodyPx; px += step) {  // the border itself may miss it by a sample
+      const Vec2 p = (pointPx + direction * px) * picture_.samplesPerPx;
+      const int x = static_cast<int>(std::floor(p.x)), y = static_cast<int>(std::floor(p.y));
+      if (x < 0 || y < 0 || x >= picture_.width || y >= picture_.height) return kBodyPx;
+      if ((picture_.seen[picture_.at(x, y)] != ModelPicture::kNothing) != model) return px - step;
+    }
+    return kBodyPx;
   }
 
   void bridgeGaps(double stepPx) {

@@ -76,6 +76,17 @@ TEST_CASE("the picture sees what the coverage mask covers, the nearest first") {
   }
 }
 
+TEST_CASE("what is a few pixels wide is not lost in its own outline") {
+  const Scene scene = cubeScene();
+  const auto seenFrom = [&](double distanceM) {
+    return linesOf(scene, View(test::orbitCamera({0, 0, 0}, distanceM, 35, 25), 500, 500, scene.bounds));
+  };
+  CHECK(count(seenFrom(60), LineWeight::kOutline) == 6);  // 20 px wide
+  const auto small = seenFrom(300);                       // 4 px wide
+  CHECK(count(small, LineWeight::kOutline) == 0);
+  CHECK(small.size() >= 6);
+}
+
 TEST_CASE("a cube seen at a corner has six lines of outline and three within; three more are hidden") {
   const Scene scene = cubeScene();
   const View view(test::orbitCamera({0, 0, 0}, 9, 35, 25), 500, 500, scene.bounds);
