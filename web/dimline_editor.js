@@ -185,7 +185,8 @@ export class DimlineEditor extends Base {
    */
   handleKey(event) {
     if (!this.#core || event.defaultPrevented) return false;
-    const command = commandOf(event, this, () => this.#peek(true));
+    const escape = event.key === "Escape" && this.#overlay.giveUpTyping();
+    const command = escape ? () => {} : commandOf(event, this, () => this.#peek(true));
     if (!command) return false;
     event.preventDefault();
     command();
@@ -354,6 +355,10 @@ export class DimlineEditor extends Base {
       },
       signal,
     );
+    // Only the keyboard's way here shows a ring: a browser would draw one too when Shift is pressed during a drag.
+    canvas.addEventListener("focus", () => canvas.toggleAttribute("data-ring", canvas.matches(":focus-visible")), { signal });
+    canvas.addEventListener("blur", () => canvas.removeAttribute("data-ring"), { signal });
+    stage.addEventListener("pointerdown", () => canvas.removeAttribute("data-ring"), { signal });
     retry.addEventListener("click", () => this.#restart(), { signal });
   }
 

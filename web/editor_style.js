@@ -44,7 +44,7 @@ canvas {
 }
 /* A canvas is black until something is drawn. */
 canvas:not([data-drawn]) { visibility: hidden; }
-canvas:focus-visible + .ring { opacity: 1; }
+canvas[data-ring] + .ring { opacity: 1; }
 .ring {
   position: absolute;
   inset: 3px;

@@ -105,7 +105,7 @@ export class Overlay {
     const focused = gesture || input.active ? null : this.#markFocused(core);
     const named = gesture && this.#named(gesture);
     const name = focused ? this.#titleOf(focused.name) : this.#hoveredName(labels);
-    this.#readout.moveSentence(this.#labels.boxOf(this.#saidOf));
+    if (this.#saidOf !== null) this.#readout.moveSentence(this.#labels.boxOf(this.#saidOf));
     this.#readout.update(named, this.#field.complains ? "" : name, input.last, focused?.box);
     // Where the Tab key goes is a matter of the picture at rest: nothing changes places under a finger.
     if (!rests || input.active) return;
@@ -118,6 +118,13 @@ export class Overlay {
     if (this.#field.name !== null) return; // but for the line whose value is being typed
     this.#byKeys = false;
     this.#marked = "";
+  }
+
+  /** Closes a field that waits, out of focus, for what is in it to be mended; false when there is none. */
+  giveUpTyping() {
+    if (this.#field.name === null) return false;
+    this.#field.close();
+    return true;
   }
 
   #usedKeys() {
