@@ -105,7 +105,9 @@ async function save(path, bytes) {
 const words = process.argv.slice(2);
 const browser = await chromium.launch({
   executablePath: process.env.DIMLINE_CHROMIUM || "/usr/bin/chromium",
-  args: ["--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--no-sandbox", "--disable-dev-shm-usage"],
+  args: ["--use-gl=angle", "--use-angle=gl-egl", "--ignore-gpu-blocklist", "--no-sandbox", "--disable-dev-shm-usage"],
+  // The pictures are the same whatever graphics card there is.
+  env: { ...process.env, LIBGL_ALWAYS_SOFTWARE: "1" },
 });
 try {
   const models = words.filter((word) => word !== "readme");
