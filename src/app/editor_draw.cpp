@@ -155,7 +155,7 @@ void Editor::State::markScopes(std::size_t parameter, const View& view, double s
   // Many boxes together would be a thicket; each is the quieter, and its far side is left out.
   const auto opacity = static_cast<float>(share * std::clamp(kScopesInFull / static_cast<double>(std::max<std::ptrdiff_t>(count, 1)), 0.4, 1.0));
   if (count == 0) return;
-  scopeMarks.begin(scene, view);
+  scopeMarks.begin(scene, view, nowMs);
   for (const std::size_t i : placed.visibleScopes) {
     if (ofIt(i)) scopeMarks.add(scene.scopes[i].box, opacity, static_cast<double>(count) <= kScopesInFull, overlayEdges);
     if (overlayEdges.size() >= kMostEdges) return;

@@ -14,6 +14,9 @@ namespace {
 /// Samples along the longer side of the depth buffer: a few pixels each, which is as exact as a faint line needs to be.
 constexpr int kDepthSamples = 512;
 
+/// ms. While a drag changes the model, what hides an edge changes by little from frame to frame.
+constexpr double kDepthIntervalMs = 150.0;
+
 /// px. An edge is looked at in steps of this length, at most so many.
 constexpr double kPiecePx = 5.0;
 constexpr int kMostPieces = 160;
@@ -24,8 +27,9 @@ constexpr double kEdgeSkinShare = 0.3 * kScopeSkinShare;
 
 }  // namespace
 
-void ScopeMarks::begin(const Scene& scene, const View& view) {
-  if (!stale_ && sameView(view_, view)) return;
+void ScopeMarks::begin(const Scene& scene, const View& view, double nowMs) {
+  if (depth_.width() > 0 && sameView(view_, view) && (!stale_ || nowMs - drawnMs_ < kDepthIntervalMs)) return;
+  drawnMs_ = nowMs;
   stale_ = false;
   view_ = view;
   skinM_ = kEdgeSkinShare * scene.bounds.diagonal();

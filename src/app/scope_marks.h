@@ -13,8 +13,9 @@ class ScopeMarks {
 public:
   void sceneChanged() { stale_ = true; }
 
-  /// To be called before add(). Draws the model's depth when it is not that of this scene and view any more: some milliseconds.
-  void begin(const Scene& scene, const View& view);
+  /// To be called before add(). Draws the model's depth when it is not that of this scene and view any more: some milliseconds, so that for a scene that
+  /// changes in every frame it is drawn now and then only. `nowMs`: of any steady clock.
+  void begin(const Scene& scene, const View& view, double nowMs);
 
   /// Adds the twelve edges of a box, in pieces that are seen or hidden; without those that are hidden unless `hiddenToo`.
   void add(const Obb& box, float opacity, bool hiddenToo, std::vector<OverlayEdge>& edges) const;
@@ -27,6 +28,7 @@ private:
   View view_;
   double skinM_ = 0;
   bool stale_ = true;
+  double drawnMs_ = 0;
 };
 
 }  // namespace dimline
