@@ -159,7 +159,7 @@ inline constexpr double kPlentySeenShare = 0.003;
 /// third to be shown again: behind leaves the share leaps from frame to frame.
 inline constexpr double kSeenShareToShow = 0.06;
 inline constexpr double kSeenShareToKeep = 0.02;
-inline constexpr double kSeenShareToShowAgain = 0.2;
+inline constexpr double kSeenShareToShowAgain = 0.3;
 
 // --- Camera -----------------------------------------------------------------------------------------------------------
 

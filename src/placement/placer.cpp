@@ -23,12 +23,6 @@ HiddenReason reasonFor(const BaseLineTally& tally, bool anyScope) {
   return HiddenReason::kOutOfView;
 }
 
-/// Leaves are gap and cover in turn: what has just come into sight stays for a while, and what has just left it comes back only when much of it is seen.
-double shareToBeSeen(int seenFrames) {
-  if (seenFrames > 0) return seenFrames < kReturnFrames ? 0.0 : kSeenShareToKeep;
-  return seenFrames < 0 && -seenFrames < kReturnFrames ? kSeenShareToShowAgain : kSeenShareToShow;
-}
-
 /// From the base line's end to the final line's, bent at the plane where the base line does not lie in it (paper 5, "Extension Lines").
 void writeExtension(const Vec2& base, const Vec2& foot, const Vec2& end, std::vector<Vec2>& polyline) {
   polyline.clear();
@@ -82,8 +76,7 @@ struct Placer::State {
   /// What is remembered of the frames before.
   struct Past {
     std::vector<History> histories;   ///< one a parameter
-    std::vector<int> seenFrames;      ///< one a scope: moved frames since it came into sight, or, negative, since it left it; to kReturnFrames, 0 at the start.
-                                      ///< A frame in which the view turns by many degrees counts as many
+    std::vector<Sight> sights;        ///< one a scope
     LookAhead lookAhead;
     Mat4 viewProjection{0.0};
     Vec3 forward{0.0};
@@ -128,7 +121,7 @@ void Placer::forget() {
   State::Past& past = state_->past;
   for (std::size_t i = 0; i < past.histories.size(); ++i) past.histories[i] = History(static_cast<std::int32_t>(i));
   past.lookAhead.forget();
-  past.seenFrames.clear();
+  past.sights.clear();
 }
 
 struct Placer::Memory::Content {
@@ -152,7 +145,7 @@ void Placer::setScene(const Model& model, const Scene& scene) {
   State& s = *state_;
   const auto sameName = [](const Parameter& a, const Parameter& b) { return a.name == b.name; };
   const bool sameModel = std::ranges::equal(s.parameters, model.parameters(), sameName);
-  if (s.scopes.size() != scene.scopes.size()) s.past.seenFrames.clear();
+  if (s.scopes.size() != scene.scopes.size()) s.past.sights.clear();
   s.scopes = scene.scopes;
   s.modelSizeM = scene.bounds.diagonal();
   s.parameters.assign(model.parameters().begin(), model.parameters().end());
@@ -268,14 +261,13 @@ void Placer::State::findVisible(const View& view, const ScopeVisibility* visibil
   assert(visibility == nullptr || visibility->seenShare.size() == scopes.size());
   inView.resize(scopes.size());
   seen.resize(scopes.size());
-  past.seenFrames.resize(scopes.size(), 0);
+  past.sights.resize(scopes.size());
   for (std::size_t i = 0; i < scopes.size(); ++i) {
-    int& frames = past.seenFrames[i];
-    if (frames != 0) frames = std::clamp(frames + (frames > 0 ? framesOn : -framesOn), -kReturnFrames, kReturnFrames);
+    Sight& sight = past.sights[i];
     inView[i] = dimline::inView(view, scopes[i].box) ? 1 : 0;
-    const bool hidden = visibility != nullptr && static_cast<double>(visibility->seenShare[i]) < shareToBeSeen(frames);
-    seen[i] = inView[i] != 0 && !hidden ? 1 : 0;
-    if ((seen[i] != 0) != (frames > 0) || frames == 0) frames = seen[i] != 0 ? 1 : -1;
+    if (inView[i] == 0) sight = {};
+    sight.age(framesOn);
+    seen[i] = inView[i] != 0 && sight.see(visibility != nullptr ? static_cast<double>(visibility->seenShare[i]) : 1.0) ? 1 : 0;
   }
 }
 

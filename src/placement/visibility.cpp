@@ -1,5 +1,9 @@
 #include "placement/visibility.h"
 
+#include <algorithm>
+
+#include "core/constants.h"
+
 namespace dimline {
 
 bool inView(const View& view, const Obb& box) {
@@ -16,6 +20,19 @@ bool inView(const View& view, const Obb& box) {
     beyondAll &= beyond;
   }
   return beyondAll == 0;
+}
+
+void Sight::age(int frames) { frames_ = std::clamp(frames_ > 0 ? frames_ + frames : frames_ < 0 ? frames_ - frames : 0, -kReturnFrames, kReturnFrames); }
+
+double Sight::leastShare() const {
+  if (frames_ > 0) return frames_ < kReturnFrames ? 0.0 : kSeenShareToKeep;
+  return frames_ < 0 && -frames_ < kReturnFrames ? kSeenShareToShowAgain : kSeenShareToShow;
+}
+
+bool Sight::see(double share) {
+  const bool seen = share >= leastShare();
+  if (frames_ == 0 || seen != (frames_ > 0)) frames_ = seen ? 1 : -1;
+  return seen;
 }
 
 }  // namespace dimline

@@ -7,4 +7,20 @@ namespace dimline {
 /// Whether any of a box may be seen: not all of its corners lie beyond one side of the view frustum.
 bool inView(const View& view, const Obb& box);
 
+/// Whether a scope counts as seen, over frames. Leaves are gap and cover in turn, and what shows between them leaps from frame to frame: so what has come into
+/// sight stays there for kReturnFrames, and what has left it comes back within as many only when plenty of it is seen.
+/// Says the same again before a still camera.
+class Sight {
+ public:
+  /// To be told before a frame, of how many frames of a steady movement it has the weight; 0 for one whose view is the last one's.
+  void age(int frames);
+  /// Takes the share of the scope that is seen in this frame, 0 to 1, and says whether it counts as seen.
+  bool see(double share);
+
+ private:
+  [[nodiscard]] double leastShare() const;
+
+  int frames_ = 0;   ///< since it came into sight, or, negative, since it left it; to kReturnFrames; 0 before the first
+};
+
 }  // namespace dimline

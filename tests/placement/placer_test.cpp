@@ -244,6 +244,36 @@ TEST_CASE("a camera inside the model gives a layout without a NaN") {
   }
 }
 
+TEST_CASE("labels keep off an arc that stays in its scope's frame") {
+  // A flap beside the box, where the lines of its height would like to be.
+  ModelDefinition definition = boxWithDoor();
+  definition.parameters.push_back({.name = "Flap",
+                                   .title = "Flap",
+                                   .type = ParameterType::kAngle,
+                                   .unit = Unit::kDegree,
+                                   .defaultValue = 60,
+                                   .max = 90,
+                                   .annotation = "@Handle(scope=Flap, type=angular, orient=front, slip=none)"});
+  definition.build = [build = definition.build](const Values& values) {
+    Scene scene = build(values);
+    scene.scopes.push_back({"Flap", 0, boxAt({4, 1, 3}, {2, 2, 2})});
+    return scene;
+  };
+  Stage stage(std::move(definition));
+  std::size_t shown = 0;
+  for (const Camera& camera : cameras({0, 2.5, 0}, 30)) {
+    const Layout& layout = stage.look(camera);
+    for (const PlacedHandle& arc : layout.others) {
+      ++shown;
+      for (const PlacedLine& line : layout.lines) {
+        if (line.label) CHECK_FALSE(line.label->overlaps(arc.box));
+        if (line.placement == PlacementKind::kOutside) CHECK_FALSE(meets(line.lineScreen, arc.box));
+      }
+    }
+  }
+  CHECK(shown > 50);
+}
+
 TEST_CASE("a view that turns far in one frame begins anew") {
   Stage stage(boxWithDoor());
   for (double azimuth = 0; azimuth <= 80; azimuth += 1) stage.look(orbitCamera({0, 2.5, 0}, 30, azimuth, 20));

@@ -1,0 +1,45 @@
+#include "placement/landed.h"
+
+#include <catch2/catch.hpp>
+
+using namespace dimline;
+
+namespace {
+
+constexpr int kGuide = 3;
+
+/// A line 100 px long at y = 40 that has moved up from its base line at y = 100, and lies on a guide.
+Landed withShortLine() {
+  PlacedLine line;
+  line.baseScreen = {{100, 100}, {200, 100}};
+  line.lineScreen = {{100, 40}, {200, 40}};
+  Landed landed;
+  landed.add(line, kGuide);
+  return landed;
+}
+
+}  // namespace
+
+TEST_CASE("a line nests within one that has landed when it is nearer to the model, beside it on the same side") {
+  const Landed landed = withShortLine();
+  const Segment2 base{{50, 100}, {300, 100}};
+  CHECK(landed.nestsWithin(base, {{50, 70}, {300, 70}}, -1));
+  CHECK(landed.nestsWithin(base, {{300, 70}, {50, 70}}, -1));                                  // drawn the other way round
+  CHECK(landed.nestsWithin(base, {{50, 70}, {300, 84}}, -1));                                  // 3 degrees off looks parallel
+  CHECK_FALSE(landed.nestsWithin(base, {{50, 10}, {300, 10}}, -1));                            // farther out
+  CHECK_FALSE(landed.nestsWithin(base, {{50, 130}, {300, 130}}, -1));                          // on the other side
+  CHECK_FALSE(landed.nestsWithin(base, {{50, 70}, {300, 70}}, kGuide));                        // on one guide
+  CHECK_FALSE(landed.nestsWithin({{201, 100}, {300, 100}}, {{201, 70}, {300, 70}}, -1));       // past its end
+  CHECK_FALSE(landed.nestsWithin({{150, 100}, {150, 300}}, {{150, 45}, {150, 245}}, -1));      // at right angles to it
+  CHECK_FALSE(landed.nestsWithin(base, {{50, 70}, {50, 70}}, -1));                             // a line of no length
+}
+
+TEST_CASE("what was added after a mark is taken back") {
+  Landed landed = withShortLine();
+  const Landed::Mark mark = landed.mark();
+  landed.add({{0, 300}, {400, 300}}, {{0, 300}, {400, 300}}, {{0, 250}, {400, 250}});
+  REQUIRE(landed.comesWithin(10, {{0, 255}, {400, 255}}));
+  landed.backTo(mark);
+  CHECK_FALSE(landed.comesWithin(10, {{0, 255}, {400, 255}}));
+  CHECK(landed.comesWithin(10, {{100, 45}, {200, 45}}));
+}

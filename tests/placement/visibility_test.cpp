@@ -1,0 +1,68 @@
+#include "placement/visibility.h"
+
+#include <catch2/catch.hpp>
+
+#include "core/constants.h"
+
+using namespace dimline;
+
+namespace {
+
+/// One that has been in sight, or out of it, for a long time.
+Sight settled(bool seen) {
+  Sight sight;
+  sight.see(seen ? 1.0 : 0.0);
+  sight.age(kReturnFrames);
+  return sight;
+}
+
+}  // namespace
+
+TEST_CASE("a scope is shown when enough of it is seen, and kept while a little is") {
+  CHECK(Sight().see(kSeenShareToShow));
+  CHECK_FALSE(Sight().see(kSeenShareToShow * 0.99));
+  CHECK(settled(true).see(kSeenShareToKeep));
+  CHECK_FALSE(settled(true).see(kSeenShareToKeep * 0.99));
+  CHECK(settled(false).see(kSeenShareToShow));
+  CHECK_FALSE(settled(false).see(kSeenShareToShow * 0.99));
+}
+
+TEST_CASE("what has just come into sight stays for a while, whatever is seen of it") {
+  Sight sight = settled(false);
+  REQUIRE(sight.see(0.5));
+  for (int frame = 1; frame < kReturnFrames - 1; ++frame) {
+    sight.age(1);
+    REQUIRE(sight.see(0.0));
+  }
+  sight.age(1);
+  CHECK_FALSE(sight.see(0.0));
+}
+
+TEST_CASE("what has just left comes back only when plenty is seen, and later as at first") {
+  Sight sight = settled(true);
+  REQUIRE_FALSE(sight.see(0.0));
+  sight.age(1);
+  CHECK_FALSE(sight.see(kSeenShareToShowAgain * 0.99));
+  Sight returning = sight;
+  CHECK(returning.see(kSeenShareToShowAgain));
+  sight.age(kReturnFrames);
+  CHECK(sight.see(kSeenShareToShow));
+}
+
+TEST_CASE("a quick turn counts as many frames") {
+  Sight sight = settled(false);
+  REQUIRE(sight.see(1.0));
+  sight.age(kReturnFrames);
+  CHECK_FALSE(sight.see(0.0));
+}
+
+TEST_CASE("before a still camera a scope stays seen or unseen") {
+  for (const double share : {0.0, 0.01, 0.03, 0.1, 0.5}) {
+    for (const bool was : {false, true}) {
+      Sight sight = settled(was);
+      const bool first = sight.see(share);
+      sight.age(0);
+      CHECK(sight.see(share) == first);
+    }
+  }
+}
