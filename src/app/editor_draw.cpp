@@ -18,8 +18,8 @@ constexpr double kLabelMarkGapPx = 3.0;
 
 void dropCovered(const Box2& label, std::vector<DragMark>& marks) {
   std::erase_if(marks, [&](const DragMark& mark) {
-    const bool tick = mark.kind == DragMark::Kind::kTick || mark.kind == DragMark::Kind::kLongTick;
-    return tick && clipped(mark.line, label.grown(kLabelMarkGapPx));
+    const bool quiet = mark.kind != DragMark::Kind::kLimitReached && mark.kind != DragMark::Kind::kGhost;
+    return quiet && clipped(mark.line, label.grown(kLabelMarkGapPx));
   });
 }
 
