@@ -60,6 +60,7 @@ void Editor::State::rebuild() {
   visibilitySource.sceneChanged();
   scopeMarks.sceneChanged();
   sceneStale = false;
+  placedInScene = false;
   viewStale = true;
   rendererSceneStale = true;
   timings.rebuildMs = watch.ms();
@@ -125,6 +126,7 @@ void Editor::State::placeOn(const View& view, bool moving) {
   }
   timings.placeMs = placeWatch.ms();
   placedOnce = true;
+  placedInScene = true;
   pictureStale = true;
 }
 
@@ -163,7 +165,9 @@ void Editor::State::holdArc(const PlacedHandle& held) {
 }
 
 void Editor::State::animate(const View& view) {
-  if (!placedOnce) return;
+  // A scene that was rebuilt while the viewport changed its size has no lines until its fields arrive; those of the last one may belong to
+  // scopes that are no more.
+  if (!placedOnce || !placedInScene) return;
   const bool wasAtRest = animator.atRest() && handleAnimator.atRest();
   const bool sameAsDrawn = drawn.view.viewProjection() == view.viewProjection() &&
                            drawn.view.widthPx() == view.widthPx() && drawn.view.heightPx() == view.heightPx();

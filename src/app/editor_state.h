@@ -134,6 +134,7 @@ struct Editor::State {
     Mat4 viewProjection{0.0};
   } beforeHidden;  ///< so that every line goes back where it was, if nothing else has changed
   bool placedOnce = false;
+  bool placedInScene = false;  ///< `placed` is of `scene`, not of the one before it
   Timings timings;
 
   // --- Drawing ---

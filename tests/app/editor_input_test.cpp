@@ -319,7 +319,9 @@ TEST_CASE("a second finger does not disturb a drag") {
 }
 
 TEST_CASE("random input of all sorts breaks nothing") {
-  EditorStage stage;
+  ModelDefinition definition = boxWithDoor();
+  definition.measures.push_back({{.name = "Top", .title = "Top", .unit = Unit::kMetre, .annotation = "@Handle(scope=Model, orient=up)"}, {}});
+  EditorStage stage(std::move(definition));
   Random random(9);
   const auto point = [&] {
     return random.chance(0.02) ? Vec2(std::numeric_limits<double>::infinity()) : random.point(Vec2(-200), Vec2(1200));
@@ -328,12 +330,12 @@ TEST_CASE("random input of all sorts breaks nothing") {
     PointerInput input{.id = random.whole(1, 3),
                        .kind = static_cast<PointerKind>(random.whole(0, 2)),
                        .button = static_cast<PointerButton>(random.whole(0, 2)),
-                       .modifiers = {.shift = random.chance(0.2), .ctrl = random.chance(0.2)},
+                       .modifiers = {.shift = random.chance(0.2), .ctrl = random.chance(0.2), .alt = random.chance(0.2)},
                        .screen = point()};
     if (random.chance(0.3) && !stage.editor.layout().lines.empty()) {
       const auto& lines = stage.editor.layout().lines;
       input.screen =
-          lines[static_cast<std::size_t>(random.whole(0, static_cast<int>(lines.size()) - 1))].handles[0].screen;
+          lines[static_cast<std::size_t>(random.whole(0, static_cast<int>(lines.size()) - 1))].lineScreen.end;
     }
     switch (random.whole(0, 11)) {
       case 0:
@@ -367,6 +369,11 @@ TEST_CASE("random input of all sorts breaks nothing") {
         stage.editor.setOrthographic(random.chance(0.5));
         break;
     }
+    if (random.chance(0.03)) stage.editor.cancelPointer(random.whole(1, 3));
+    if (random.chance(0.02)) stage.editor.setHiddenShown(!stage.editor.hiddenShown());
+    if (random.chance(0.01)) stage.editor.setMeasuresShown(!stage.editor.measuresShown());
+    if (random.chance(0.01)) stage.editor.setDecimalMark(random.chance(0.5) ? ',' : '.');
+    if (const auto gesture = stage.editor.gesture(); gesture && !(std::abs(glm::length(gesture->direction) - 1) < 1e-9)) FAIL("no direction");
     if (random.chance(0.02)) stage.editor.resize(random.real(0, 1500), random.real(0, 1500), random.real(0.5, 4));
     if (random.chance(0.5)) stage.frame();
     REQUIRE(validate(stage.editor.camera()));
