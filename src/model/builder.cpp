@@ -223,6 +223,8 @@ MeshBuilder& Builder::mesh() {
   return *target.mesh;
 }
 
+void Builder::reserve(std::size_t triangles) { mesh().reserve(triangles); }
+
 void Builder::beginPart(const Vec3& sizeM) {
   push();
   setScope({});

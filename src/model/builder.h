@@ -85,6 +85,9 @@ class Builder {
 public:
   Builder();
 
+  /// Makes room for so many triangles, for a large model: what is built is not moved again and again as it grows.
+  void reserve(std::size_t triangles);
+
   /// Hands over the scene, with bounds and scope indices filled in. The builder is empty afterwards.
   Scene finish();
 

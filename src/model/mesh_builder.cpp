@@ -28,6 +28,14 @@ void MeshBuilder::beginPart() {
   welded_ = 0;
 }
 
+void MeshBuilder::reserve(std::size_t triangles) {
+  mesh_.positions.reserve(triangles);
+  mesh_.triangles.reserve(triangles);
+  mesh_.materials.reserve(triangles);
+  mesh_.normals.reserve(triangles);
+  mesh_.uvs.reserve(triangles);
+}
+
 std::uint32_t MeshBuilder::point(const Vec3& p) {
   points_.push_back(p);
   mesh_.positions.emplace_back(p);

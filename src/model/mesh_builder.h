@@ -24,6 +24,9 @@ public:
 
   void beginPart();
 
+  /// Makes room for so many triangles in all.
+  void reserve(std::size_t triangles);
+
   /// A new point of the part.
   std::uint32_t point(const Vec3& p);
   /// The part's point at that place, or a new one. Points added by point() are found too.

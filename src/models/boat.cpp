@@ -112,9 +112,13 @@ std::vector<dimline::Parameter> boatParameters() {
   return p;
 }
 
+/// About so many are in the hull, castles and ropes themselves; guns, blocks and the like are placed.
+constexpr std::size_t kTrianglesAtDefaults = 36'000;
+
 Scene buildBoat(const Values& values) {
   const Plan plan = planBoat(values);
   Builder b;
+  b.reserve(kTrianglesAtDefaults);
   const Palette palette(b);
   const Ship ship{b, plan, palette};
   b.translate({-plan.hull.length * 0.5, kBlocks + kKeel, 0});
