@@ -25,14 +25,14 @@ std::vector<dimline::Parameter> boatParameters() {
   p[kDepth] =
       lengthParameter("Depth", "Depth of hull", {6.4, 4.8, 8, 0.1},
                       {"Hull", "How deep the hull is amidships, from the main deck down to the keel.",
-                       "@Handle(scope=Midship, type=linear-center, orient=up, slip=object, chained, occlusion=false)"});
+                       "@Handle(scope=Midship, type=linear-center, orient=up, slip=scope, chained, occlusion=false)"});
   p[kDraught] =
       lengthParameter("Draught", "Draught", {3, 2.2, 4, 0.05},
                       {"Hull", "How deep she floats: up to the waterline the hull is payed with white tallow.",
-                       "@Handle(scope=Waterline, type=linear-center, orient=up, slip=object, occlusion=false)"});
+                       "@Handle(scope=Waterline, type=linear-center, orient=up, slip=scope, occlusion=false)"});
   p[kSheer] = lengthParameter("Sheer", "Sheer", {1.3, 0.4, 2.2, 0.05},
                               {"Hull", "How far the main deck rises from amidships to the stern.",
-                               "@Handle(scope=Sheer, type=linear-center, orient=up, slip=object, occlusion=false)"});
+                               "@Handle(scope=Sheer, type=linear-center, orient=up, slip=scope, occlusion=false)"});
   p[kBeakLength] =
       lengthParameter("BeakLength", "Length of beakhead", {5, 2.5, 7, 0.1},
                       {"Hull", "How far the beakhead, the spur under the bowsprit, reaches out before the stem.",
@@ -51,15 +51,15 @@ std::vector<dimline::Parameter> boatParameters() {
                                           "@Handle(scope=Forecastle, type=linear-center, orient=left, slip=scope)"});
   p[kForecastleHeight] = lengthParameter("ForecastleHeight", "Height of forecastle", {2.2, 1.8, 3.2, 0.05},
                                          {"Castles", "How high the forecastle's deck lies above the main deck.",
-                                          "@Handle(scope=Forecastle, type=linear-center, orient=up, slip=object)"});
+                                          "@Handle(scope=Forecastle, type=linear-center, orient=up, slip=scope)"});
   p[kSternDecks] = countParameter(
       "SternDecks", "Decks of the sterncastle", {3, 1, 3, 1}, "deck",
       {"Castles", "How many decks the sterncastle has above the main deck: half deck, quarterdeck and poop.",
-       "@Handle(scope=Sterncastle, type=linear-center, orient=up, slip=object, indirect, occlusion=false)"});
+       "@Handle(scope=Sterncastle, type=linear-center, orient=up, slip=scope, indirect, occlusion=false)"});
   p[kSternDeckHeight] = lengthParameter(
       "SternDeckHeight", "Height between stern decks", {2.1, 1.8, 2.6, 0.05},
       {"Castles", "How high each deck of the sterncastle lies above the one below it.",
-       "@Handle(scope=SternDeck, type=linear-center, orient=up, slip=object, chained, occlusion=false)"});
+       "@Handle(scope=SternDeck, type=linear-center, orient=up, slip=scope, chained, occlusion=false)"});
   p[kGalleryDepth] =
       lengthParameter("GalleryDepth", "Depth of gallery", {1.2, 0.6, 2, 0.05},
                       {"Castles", "How far the gallery, the walk outside the great cabin, reaches out over the stern.",

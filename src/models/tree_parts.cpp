@@ -238,13 +238,13 @@ std::vector<Parameter> treeParameters(const TreeDefaults& d) {
        handle("Foliage", "type=range, orient=right")});
   p[kStemHeight] = lengthParameter("StemHeight" + d.suffix, title("Stem height"), {d.stemHeight, 1.5, 6, 0.1},
       {group("Stem"), "How high the stem is clear of branches, from the ground to the crown.",
-       handle("Stem", "type=linear-contour, orient=up, slip=billboard, align=right")});
+       handle("Stem", "type=linear-contour, orient=up, slip=object, align=right")});
   p[kTrunkDiameter] = lengthParameter("TrunkDiameter" + d.suffix, title("Trunk diameter"), {d.trunkDiameter, 0.2, 0.9, 0.05},
       {group("Stem"), "How thick the stem is above its roots.",
        handle("Trunk", "type=diametric, orient=up, slip=billboard")});
   p[kCrownHeight] = lengthParameter("CrownHeight" + d.suffix, title("Crown height"), {d.crownHeight, 3, 10, 0.1},
       {group("Crown"), "How high the crown is, from its lowest to its uppermost leaf.",
-       handle("Crown", "type=linear-center, orient=up, slip=billboard, align=left")});
+       handle("Crown", "type=linear-center, orient=up, slip=object, align=left")});
   p[kCrownWidth] = lengthParameter("CrownWidth" + d.suffix, title("Crown width"), {d.crownWidth, 2.5, 10, 0.1},
       {group("Crown"), "How wide the crown is where it is widest.",
        handle("Crown", "type=diametric, orient=up, slip=billboard")});
