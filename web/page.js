@@ -136,8 +136,17 @@ function showFailure(error) {
 
 editor.addEventListener("load", showDocument);
 editor.addEventListener("error", (event) => showFailure(event.error));
-editor.addEventListener("input", () => showValues(!sliding));
-editor.addEventListener("change", () => showValues(false));
+// A drag that is given up changes the values back and ends; what it drove is no longer marked then.
+let dragging = false;
+editor.addEventListener("input", () => {
+  const wasDragging = dragging;
+  dragging = editor.gesture !== null;
+  showValues(!sliding && (dragging || !wasDragging));
+});
+editor.addEventListener("change", () => {
+  dragging = false;
+  showValues(false);
+});
 editor.addEventListener("camera-change", showProjection);
 
 // Numbers in another manner: the editor has changed by now, for it heard first.

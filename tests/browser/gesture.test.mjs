@@ -156,10 +156,13 @@ test("Escape gives a drag up: values and lines are what they were, to the last b
       : await gripOf(page, name);
     await dragBy(grip, 60);
     assert.notEqual(await valueOf(page, name), defaults[name], name);
+    const marked = page.locator(".row[data-live]");
+    assert.deepEqual(await marked.evaluateAll((rows) => rows.map((row) => row.dataset.name)), [name]);
     await page.keyboard.press("Escape");
     await page.mouse.up();
     await page.mouse.move(2, 2);
     await settle(page);
+    assert.equal(await marked.count(), 0, `${name}: still marked in the panel`);
     assert.equal(JSON.stringify(await call(page, "getParameters")), start[0], name);
     assert.equal(JSON.stringify(await layoutOf(page)), start[1], name);
     assert.equal((await takeEvents(page)).includes("change"), false, `${name}: a change that was none`);
