@@ -204,7 +204,7 @@ export class DimlineEditor extends Base {
 
   /** What follows from the parameters and is measured, not set: [{name, title, help, unit, value, text}]. */
   getMeasures() {
-    return this.#need().measures();
+    return this.#core?.measures() ?? [];
   }
 
   /** Whether measures are shown in the picture, as lines without handles. */
@@ -342,7 +342,7 @@ export class DimlineEditor extends Base {
     this.#input = new PointerInput(stage, canvas, host, signal);
     this.#overlay = new Overlay(stage, host, signal);
     this.addEventListener("keydown", (event) => this.handleKey(event), { signal });
-    const endPeeking = (event) => (event.type === "blur" || event.key.toLowerCase() === "h") && this.#peek(false);
+    const endPeeking = (event) => (event.type === "blur" || event.key?.toLowerCase() === "h") && this.#peek(false);
     window.addEventListener("keyup", endPeeking, { signal, capture: true });
     window.addEventListener("blur", endPeeking, { signal });
     watchContext(

@@ -58,6 +58,7 @@ export class LabelLayer {
     for (const label of labels) {
       const entry = this.#entries.get(label.id) ?? this.#add(label);
       entry.round = round;
+      entry.node.removeAttribute("data-left");
       this.#show(entry, label, devicePixelRatio);
     }
     this.#chooseSliders();

@@ -74,6 +74,10 @@ export class Overlay {
   clear() {
     this.#field.close();
     this.#labels.clear();
+    this.#readout.silence();
+    this.#saidOf = this.#overNumber = null;
+    this.#marked = "";
+    this.#hover = { name: null, cursor: "" };
   }
 
   /**
@@ -102,6 +106,7 @@ export class Overlay {
     this.#labels.update(labels, devicePixelRatio);
     this.#field.follow();
     input.dragDirection = gesture?.direction;
+    if (gesture) this.#hover.name = null; // its line turns, and the cursor with it
     const focused = gesture || input.active ? null : this.#markFocused(core);
     const named = gesture && this.#named(gesture);
     const name = focused ? this.#titleOf(focused.name) : this.#hoveredName(labels);
@@ -112,12 +117,13 @@ export class Overlay {
     arrange(this.#handles, readingOrder([...this.#labels.stops(), ...this.#pills.stops()]));
   }
 
-  /** The mouse is in use: what it points at is marked, and not what has the focus. */
+  /** The mouse is in use: what it points at shall be marked, and not what has the focus; false for the line whose value is being typed, which stays marked. */
   pointed() {
     this.#overNumber = null;
-    if (this.#field.name !== null) return; // but for the line whose value is being typed
+    if (this.#field.name !== null) return false;
     this.#byKeys = false;
     this.#marked = "";
+    return true;
   }
 
   /** Closes a field that waits, out of focus, for what is in it to be mended; false when there is none. */

@@ -136,17 +136,20 @@ function showFailure(error) {
 
 editor.addEventListener("load", showDocument);
 editor.addEventListener("error", (event) => showFailure(event.error));
-// A drag that is given up changes the values back and ends; what it drove is no longer marked then.
+// What a drag drives is marked while it lasts. One that ends where it began is followed by no change, so its end is looked for.
 let dragging = false;
-editor.addEventListener("input", () => {
-  const wasDragging = dragging;
-  dragging = editor.gesture !== null;
-  showValues(!sliding && (dragging || !wasDragging));
-});
-editor.addEventListener("change", () => {
+function untilDragEnds() {
+  if (editor.gesture !== null) return requestAnimationFrame(untilDragEnds);
   dragging = false;
   showValues(false);
+}
+editor.addEventListener("input", () => {
+  showValues(!sliding);
+  if (dragging || editor.gesture === null) return;
+  dragging = true;
+  requestAnimationFrame(untilDragEnds);
 });
+editor.addEventListener("change", () => showValues(false));
 editor.addEventListener("camera-change", showProjection);
 
 // Numbers in another manner: the editor has changed by now, for it heard first.
@@ -170,6 +173,7 @@ let heldSinceMs = Infinity;
 hidden.addEventListener("pointerdown", (event) => {
   if (event.button !== 0 || editor.hiddenShown) return;
   heldSinceMs = event.timeStamp;
+  hidden.setPointerCapture(event.pointerId); // or a hold that ends off the button would not end
   editor.hiddenShown = true;
   showMore();
 });
@@ -178,7 +182,10 @@ const letGo = (event) => {
   showMore();
 };
 hidden.addEventListener("pointerup", letGo);
-hidden.addEventListener("pointercancel", letGo);
+hidden.addEventListener("pointercancel", (event) => {
+  letGo(event);
+  heldSinceMs = Infinity; // no click follows
+});
 hidden.addEventListener("click", (event) => {
   // With a pointer, its going down has switched it on.
   const switchedOn = heldSinceMs !== Infinity;

@@ -41,7 +41,7 @@ export class PointerInput {
    *   core(): null while there is none
    *   changed(): a frame is wanted
    *   guard(call): runs a call into the core
-   *   pointed(): the mouse was moved over the picture or away from it
+   *   pointed(): the mouse was moved over the picture or away from it; whether what it points at shall be marked
    *   cursorAt(x, y, onHandle): the cursor for a mouse that rests there
    *   tapped(tap), doubleTapped(tap): {x, y, touch, target} in the stage, and clientX, clientY in the window
    * @param {AbortSignal} signal ends all listening
@@ -145,8 +145,12 @@ export class PointerInput {
   }
 
   #hover(event) {
-    this.#host.pointed();
-    const onHandle = this.#call("hover", event) === "handle";
+    const marks = this.#host.pointed();
+    if (!marks) {
+      const [x, y] = this.#position(event);
+      this.last = { x, y, touch: false };
+    }
+    const onHandle = marks && this.#call("hover", event) === "handle";
     this.#showCursor(this.#host.cursorAt(this.last.x, this.last.y, onHandle));
   }
 
@@ -193,8 +197,7 @@ export class PointerInput {
 
   #leave(event) {
     if (this.#held.has(event.pointerId)) return;
-    this.#host.pointed();
-    this.#host.guard(() => this.#host.core()?.endHover());
+    if (this.#host.pointed()) this.#host.guard(() => this.#host.core()?.endHover());
     this.#showCursor("");
     this.#host.changed();
   }

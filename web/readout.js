@@ -66,6 +66,12 @@ export class Readout {
     return kSentenceMs;
   }
 
+  /** Takes a sentence back. */
+  silence() {
+    this.#sentence = null;
+    this.#live.textContent = "";
+  }
+
   /** The sentence goes along with its line; null: that is not shown. */
   moveSentence(box) {
     if (this.#sentence && box) this.#sentence.at = box;

@@ -152,7 +152,7 @@ void Editor::State::markScopes(std::size_t parameter, const View& view, double s
   if (!annotation) return;
   const auto ofIt = [&](std::size_t i) { return i < scene.scopes.size() && scene.scopes[i].name == annotation->scope; };
   const auto count = std::ranges::count_if(placed.visibleScopes, ofIt);
-  // Many boxes together would be a thicket; each is the quieter, and its far side is left out.
+  // Many boxes together would be a thicket; each is the quieter, and what the model hides of it is left out.
   const auto opacity = static_cast<float>(share * std::clamp(kScopesInFull / static_cast<double>(std::max<std::ptrdiff_t>(count, 1)), 0.4, 1.0));
   if (count == 0) return;
   scopeMarks.begin(scene, view, nowMs);

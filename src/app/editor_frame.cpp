@@ -45,7 +45,7 @@ bool Editor::atRest() const {
   if (s.sceneStale) return false;
   if (!s.hasSize()) return true;
   return !s.viewStale && !s.visibilityStale && s.fieldSource.current() && !s.fieldSource.pending() &&
-         s.animator.atRest() && s.handleAnimator.atRest() && !s.hoverAnimating() && !s.wantsBetterPicture() && !(s.renderer && s.pictureStale);
+         s.animator.atRest() && s.handleAnimator.atRest() && !s.hoverAnimating() && !s.wantsBetterPicture() && !(s.renderer && (s.pictureStale || s.marksBehind()));
 }
 
 void Editor::State::rebuild() {
@@ -144,6 +144,10 @@ void Editor::State::holdMember(const PlacedLine& held) {
     const double to = glm::dot(line.line.end - held.line.start, along);
     return std::min(from, to) < held.line.length() - tolerance && std::max(from, to) > tolerance;
   });
+  // Whatever it measures by now, the held line keeps its identity through the drag; who bears that now takes the one that it leaves free.
+  for (PlacedLine& line : placed.lines) {
+    if (line.identity == held.identity && !isHeld(line)) line.identity.scopeIndex = static_cast<std::int32_t>(scene.scopes[held.scope].index);
+  }
   const auto found = std::ranges::find_if(placed.lines, isHeld);
   if (found != placed.lines.end()) {
     *found = held;
@@ -178,7 +182,7 @@ void Editor::State::animate(const View& view) {
   handleAnimator.update(shown, scene.scopes, view, nowMs, drawn);
   updateHover();
   updateStates();
-  if (!wasAtRest || !animator.atRest() || !handleAnimator.atRest() || !sameAsDrawn || hoverAnimating()) pictureStale = true;
+  if (!wasAtRest || !animator.atRest() || !handleAnimator.atRest() || !sameAsDrawn || hoverAnimating() || marksBehind()) pictureStale = true;
 }
 
 /// Opacity, hover and drag of everything that is drawn.

@@ -198,6 +198,8 @@ struct Editor::State {
   void updateStates();
   void clearLines();
   [[nodiscard]] bool hoverAnimating() const;
+  /// Marked edges in the picture go by a depth that is not the present scene's.
+  [[nodiscard]] bool marksBehind() const { return !overlayEdges.empty() && scopeMarks.behind(); }
 
   // editor_draw.cpp
   void draw(const View& view);

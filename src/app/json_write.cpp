@@ -163,7 +163,8 @@ void writeFrame(JsonWriter& json, const Model& model, const Scene& scene, const 
   json.key("size").value(Vec2(layout.view.widthPx(), layout.view.heightPx()));
   json.key("view").value(layout.view.viewMatrix());
   json.key("projection").value(layout.view.projectionMatrix());
-  const auto isMeasure = [&](std::size_t parameter) { return model.parameters()[parameter].measure; };
+  // Measures stand last. While they are being put away, the frame drawn last still has some that the model no longer has.
+  const auto isMeasure = [&](std::size_t parameter) { return parameter >= model.parameters().size() || model.parameters()[parameter].measure; };
   json.key("lines").beginArray();
   for (const PlacedLine& line : layout.lines) {
     if (!isMeasure(line.parameter)) writeLine(json, model, scene, line);

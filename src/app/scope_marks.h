@@ -12,6 +12,8 @@ namespace dimline {
 class ScopeMarks {
 public:
   void sceneChanged() { stale_ = true; }
+  /// Whether what was added last went by the depth of an older scene.
+  [[nodiscard]] bool behind() const { return stale_; }
 
   /// To be called before add(). Draws the model's depth when it is not that of this scene and view any more: some milliseconds, so that for a scene that
   /// changes in every frame it is drawn now and then only. `nowMs`: of any steady clock.

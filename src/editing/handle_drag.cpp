@@ -227,7 +227,8 @@ void HandleDrag::addMarks(double value, const Segment2& now, const View& view, S
     return;
   }
   // Ends that were met on the way, each once.
-  const auto handle = screenAt(endAt(value).value_or(0.0));
+  const auto end = std::ranges::find(tried.known(), value, &std::pair<double, std::optional<double>>::first);
+  const auto handle = screenAt(value == startValue ? 0.0 : end != tried.known().end() ? end->second.value_or(0.0) : endAt(value).value_or(0.0));
   std::optional<Vec2> last;
   for (const auto& [at, endM] : tried.known()) {
     if (at == parameter.min || at == parameter.max) addLimit(at, endM);

@@ -434,6 +434,7 @@ class Reader {
     }
     auto total = measure();
     double lastUnit = total.literalUnit;
+    if (lastUnit == kFootM) skipDash();
     while (lastUnit > 0 && total.kind != Kind::kBare && peek().type == Token::Type::kNumber) {
       const Token number = peek();
       Quantity part = measure();
@@ -454,6 +455,12 @@ class Reader {
       lastUnit = part.literalUnit;
     }
     return total;
+  }
+
+  /// The dash of drawings in 10'-6", which is no minus: it stands close to both.
+  void skipDash() {
+    const auto touches = [](const Token& a, const Token& b) { return a.text.data() + a.text.size() == b.text.data(); };
+    if (isSign('-') && peek(1).type == Token::Type::kNumber && touches(tokens_[at_ - 1], peek()) && touches(peek(), peek(1))) ++at_;
   }
 
   /// The unit of a bare number after a quantity in another one: 3 m 20 is 3 m 20 cm, and 10' 6 is 10' 6".

@@ -14,7 +14,7 @@ namespace dimline {
 ///
 /// - Arithmetic: + - * / and brackets, and what people type for them (×, ÷, −). A leading = is passed over, as in a spreadsheet.
 /// - Units: km m dm cm mm, ft ' in ", deg ° rad (beside ° also ' and " for minutes and seconds of arc), m2 m² cm2 ft2 ha; a count also takes its noun. A bare
-///   number is in the parameter's unit. Quantities side by side add up, from the greater unit to the lesser: 10' 6 1/2", 3 m 20 cm, and 3 m 20 for the same.
+///   number is in the parameter's unit. Quantities side by side add up, from the greater unit to the lesser: 10' 6 1/2", 10'-6", 3 m 20 cm, and 3 m 20 for the same.
 /// - Decimal point and decimal comma, and groups of three digits between the other mark or thin spaces: 1.234,5 and 1,234.5. What could be either (1,234 where
 ///   people write a point) is an error and not a guess.
 /// - A switch and a choice take what parseValue() takes.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <utility>
 
 #include "placement/chooser.h"
 #include "placement/other_handles.h"
@@ -172,9 +173,10 @@ void Placer::place(const View& view, const DistanceFields& fields, const Values&
   const double turnRad = std::acos(std::clamp(glm::dot(view.forward(), s.past.forward), -1.0, 1.0));
   if (turnRad > kForgetTurnRad) forget();
   const bool viewMoved = s.beginFrame(view);
-  s.past.lookAhead.begin(s.order, view, fields, viewMoved || s.past.sceneChanged);
-  s.past.sceneChanged = false;
-  s.findVisible(view, visibility, viewMoved ? std::max(static_cast<int>(turnRad / kFrameTurnRad), 1) : 0);
+  const bool sceneChanged = std::exchange(s.past.sceneChanged, false);
+  s.past.lookAhead.begin(s.order, view, fields, viewMoved || sceneChanged);
+  // In another scene a scope has no past: what an edit covers is hidden at once, and what it lays open is shown.
+  s.findVisible(view, visibility, sceneChanged ? kReturnFrames : viewMoved ? std::max(static_cast<int>(turnRad / kFrameTurnRad), 1) : 0);
   facePlanes(s.objectPlanes, view, s.objectPlaneUses);
 
   const auto isMeasure = [&](const Measured& m) { return s.parameters[m.parameter].measure; };

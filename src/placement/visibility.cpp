@@ -22,7 +22,11 @@ bool inView(const View& view, const Obb& box) {
   return beyondAll == 0;
 }
 
-void Sight::age(int frames) { frames_ = std::clamp(frames_ > 0 ? frames_ + frames : frames_ < 0 ? frames_ - frames : 0, -kReturnFrames, kReturnFrames); }
+void Sight::age(int frames) {
+  still_ = frames == 0;
+  const int direction = frames_ > 0 ? 1 : -1;
+  if (frames_ != 0) frames_ = std::clamp(frames_ + direction * frames, -kReturnFrames, kReturnFrames);
+}
 
 double Sight::leastShare() const {
   if (frames_ > 0) return frames_ < kReturnFrames ? 0.0 : kSeenShareToKeep;
@@ -30,6 +34,9 @@ double Sight::leastShare() const {
 }
 
 bool Sight::see(double share) {
+  if (still_ && share == share_) return frames_ > 0;
+  if (still_) age(kReturnFrames);
+  share_ = share;
   const bool seen = share >= leastShare();
   if (frames_ == 0 || seen != (frames_ > 0)) frames_ = seen ? 1 : -1;
   return seen;

@@ -9,7 +9,7 @@ bool inView(const View& view, const Obb& box);
 
 /// Whether a scope counts as seen, over frames. Leaves are gap and cover in turn, and what shows between them leaps from frame to frame: so what has come into
 /// sight stays there for kReturnFrames, and what has left it comes back within as many only when plenty of it is seen.
-/// Says the same again before a still camera.
+/// Before a still camera it says the same again, unless another share is measured: the model has changed, or what was on its way has come. That counts at once.
 class Sight {
  public:
   /// To be told before a frame, of how many frames of a steady movement it has the weight; 0 for one whose view is the last one's.
@@ -20,7 +20,9 @@ class Sight {
  private:
   [[nodiscard]] double leastShare() const;
 
-  int frames_ = 0;   ///< since it came into sight, or, negative, since it left it; to kReturnFrames; 0 before the first
+  int frames_ = 0;        ///< since it came into sight, or, negative, since it left it; to kReturnFrames; 0 before the first
+  bool still_ = false;    ///< the view is the last frame's
+  double share_ = -1;     ///< of the last frame; negative before the first
 };
 
 }  // namespace dimline

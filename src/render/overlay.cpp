@@ -39,7 +39,7 @@ constexpr double kLimitWidthPx = 1.5;
 constexpr float kLimitOpacity = 0.55F;
 constexpr double kLimitReachedWidthPx = 2.5;
 constexpr float kGhostOpacity = 0.35F;
-/// Edges of a scope that a parameter drives, on the near side of the box and on the far one.
+/// Edges of a scope that a parameter drives, where they are seen and where the model hides them.
 constexpr double kEdgeWidthPx = 1.25;
 constexpr float kEdgeOpacity = 0.75F;
 constexpr float kEdgeBehindOpacity = 0.2F;

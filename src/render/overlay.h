@@ -65,7 +65,7 @@ struct OverlayLeader {
 /// An edge of a scope's box that is marked since a parameter drives the scope.
 struct OverlayEdge {
   Segment2 line;
-  bool behind = false;      ///< on the far side of its box
+  bool behind = false;      ///< the model hides it
   float opacity = 1.0F;
 };
 

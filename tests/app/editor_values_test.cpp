@@ -1,6 +1,7 @@
 #include <catch2/catch.hpp>
 
 #include "app/editor_stage.h"
+#include "app/json.h"
 #include "models/models.h"
 
 using namespace dimline;
@@ -145,6 +146,10 @@ TEST_CASE("measures follow from the values, and have lines only when asked to, w
   REQUIRE(stage.editor.layout().lines.back().text == "6.50 m");
   stage.set("Height", 5);
   stage.editor.setMeasuresShown(false);
+  // Before the next frame the layout still has a line of what the model no longer has.
+  JsonWriter json;
+  writeFrame(json, stage.editor.placedModel(), stage.editor.scene(), stage.editor.layout());
+  REQUIRE(json.take().find("OverallHeight") == std::string::npos);
   stage.settle();
   REQUIRE(sameLayout(stage.editor.layout(), before));
 }

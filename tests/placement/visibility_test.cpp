@@ -66,3 +66,14 @@ TEST_CASE("before a still camera a scope stays seen or unseen") {
     }
   }
 }
+
+TEST_CASE("another share before a still camera counts at once") {
+  Sight shown = settled(false);
+  REQUIRE(shown.see(1.0));       // as it was thought to be before it was measured, or before an edit
+  shown.age(0);
+  CHECK_FALSE(shown.see(0.01));
+  shown.age(0);
+  CHECK_FALSE(shown.see(0.01));
+  shown.age(0);
+  CHECK(shown.see(0.1));         // no need to be seen by the third: nothing flickers
+}
