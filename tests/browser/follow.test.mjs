@@ -14,7 +14,7 @@ let browser, tab, page, picture;
 before(async () => {
   browser = await launch();
   // Without motion a line is at once where it belongs, and a model takes a quarter of the frames.
-  tab = await openPage(browser, { width: 960, height: 640, reducedMotion: "reduce" });
+  tab = await openPage(browser, { width: 720, height: 500, reducedMotion: "reduce" });
   page = tab.page;
   picture = await pictureBox(page);
 });
