@@ -86,12 +86,12 @@ TEST_CASE("bench: every time is measured in both runs") {
 }
 
 TEST_CASE("dimline bench prints tables, and the contract's JSON") {
-  const Run table = runProgram({"bench", "house", "--frames", "6", "--no-growth"});
+  const Run table = runProgram({"bench", "house", "--frames", "2", "--no-growth"});
   REQUIRE(table.status == 0);
   CHECK(table.out.find("house") != std::string::npos);
   CHECK(table.out.find("Growth") == std::string::npos);
 
-  const Run run = runProgram({"bench", "all", "--frames", "6", "--json"});
+  const Run run = runProgram({"bench", "all", "--frames", "2", "--json"});
   REQUIRE(run.status == 0);
   const auto results = parsed(run.out);
   const auto models = parsed(runProgram({"models", "--json"}).out);
