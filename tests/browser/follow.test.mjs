@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import { gripsOf, modelNames } from "./support/handles.mjs";
-import { call, launch, layoutOf, openPage, pictureBox, settle } from "./support/page.mjs";
+import { call, launch, layoutOf, openPage, pictureBox, settle, showModel } from "./support/page.mjs";
 
 const kTravelsPx = [10, 40, 200];
 const kNearPx = 3;
@@ -54,17 +54,7 @@ async function isNearest(grip, travelPx, reached) {
 test("an arrow dragged by 10, 40 and 200 px stays within 3 px of the pointer, or is at its limit, or no value is nearer", async () => {
   let count = 0;
   for (const model of await modelNames(page)) {
-    await page.evaluate(
-      (name) =>
-        new Promise((resolve) => {
-          const editor = document.querySelector("dimline-editor");
-          if (editor.model === name) return resolve();
-          editor.addEventListener("load", resolve, { once: true });
-          editor.model = name;
-        }),
-      model,
-    );
-    await settle(page);
+    await showModel(page, model);
     const start = JSON.stringify(await call(page, "getParameters"));
     // Of a chain's members, which are one parameter, the first. After a drag lines may have found other places.
     const lineNow = async (name) => (await layoutOf(page)).lines.find(({ parameter }) => parameter === name);

@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import { inside, modelNames, sliderOf } from "./support/handles.mjs";
-import { call, launch, layoutOf, openPage, screenshot, settle, valueOf } from "./support/page.mjs";
+import { call, launch, layoutOf, openPage, screenshot, settle, showModel, valueOf } from "./support/page.mjs";
 import { decodePng } from "./support/png.mjs";
 
 let browser, tab, page;
@@ -16,19 +16,6 @@ after(async () => {
 });
 
 const parameters = () => call(page, "getParameters");
-async function show(model) {
-  await page.evaluate(
-    (name) =>
-      new Promise((resolve) => {
-        const editor = document.querySelector("dimline-editor");
-        if (editor.model === name) return resolve();
-        editor.addEventListener("load", resolve, { once: true });
-        editor.model = name;
-      }),
-    model,
-  );
-  await settle(page);
-}
 const stops = () =>
   page.evaluate(() =>
     [...document.querySelector("dimline-editor").shadowRoot.querySelectorAll(".label[role=slider], .pill:not([inert])")].map((node) => {
@@ -50,7 +37,7 @@ const stops = () =>
 
 test("in every model each parameter in view is one slider or one button, with a name, a range, a value and its unit", async () => {
   for (const model of await modelNames(page)) {
-    await show(model);
+    await showModel(page, model);
     const { lines, others } = await layoutOf(page);
     const shown = new Set([...lines, ...others].map(({ parameter }) => parameter));
     const found = await stops();
@@ -66,7 +53,7 @@ test("in every model each parameter in view is one slider or one button, with a 
       assert.ok(stop.text.includes(sign) && /\d/.test(stop.text), `${model}: ${stop.name} says "${stop.text}"`);
     }
   }
-  await show("house");
+  await showModel(page, "house");
 });
 
 test("the Tab key goes over the picture as it is read: row by row, from left to right", async () => {

@@ -112,6 +112,22 @@ function awaited(page, name) {
 }
 export const settle = (page) => awaited(page, "settled");
 export const ready = (page) => awaited(page, "ready");
+
+/** Shows another built-in model, and waits until it rests. */
+export async function showModel(page, model) {
+  await page.evaluate(
+    (name) =>
+      new Promise((resolve) => {
+        const editor = document.querySelector("dimline-editor");
+        if (editor.model === name) return resolve();
+        editor.addEventListener("load", resolve, { once: true });
+        editor.model = name;
+      }),
+    model,
+  );
+  await settle(page);
+}
+
 export const layoutOf = (page) => call(page, "layout");
 export const cameraOf = (page) => call(page, "getCamera");
 
