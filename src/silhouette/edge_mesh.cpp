@@ -1,13 +1,20 @@
+// What costs time here is looking for vertices at the same place, so that is done only where it is needed. First the
+// triangles are taken as their vertex numbers say: what hangs together is a part, and a part all of whose edges have
+// two triangles that agree is closed as it stands. Its silhouette is right whatever else may touch it. Only what is not
+// closed is welded and taken once more.
+
 #include "silhouette/edge_mesh.h"
 
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <span>
+#include <numeric>
 
 namespace dimline {
 
 namespace {
+
+using Triangle = std::array<std::uint32_t, 3>;
 
 constexpr std::uint32_t kNone = 0xFFFFFFFF;
 
@@ -17,22 +24,169 @@ constexpr std::uint32_t kNone = 0xFFFFFFFF;
 constexpr double kFlatShareOfPart = 1e-6;
 constexpr double kFlatShareOfPlace = 3e-7;
 
-/// Gives vertices at exactly the same place one number. Models that split vertices for their normals stay closed that
-/// way.
+bool threeDifferent(const Triangle& t) { return t[0] != t[1] && t[1] != t[2] && t[2] != t[0]; }
+
+/// The positions, and those triangles that have three different, finite vertices.
+void take(const Mesh& mesh, EdgeMesh& prepared) {
+  std::vector<bool> finite(mesh.positions.size());
+  prepared.positions.reserve(mesh.positions.size());
+  for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+    const glm::vec3& p = mesh.positions[i];
+    finite[i] = std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
+    prepared.positions.push_back(p + 0.0F);  // minus zero is zero
+  }
+  prepared.triangles.reserve(mesh.triangles.size());
+  for (const Triangle& t : mesh.triangles) {
+    if (threeDifferent(t) && finite[t[0]] && finite[t[1]] && finite[t[2]]) prepared.triangles.push_back(t);
+  }
+}
+
+// --- Parts --------------------------------------------------------------------------------------------------------------
+
+/// What hangs together by shared vertices, as a forest over these: the lowest vertex of a part is its root.
+class PartForest {
+public:
+  explicit PartForest(const EdgeMesh& mesh) : parent_(mesh.positions.size()) {
+    std::iota(parent_.begin(), parent_.end(), 0U);
+    for (const auto& [a, b, c] : mesh.triangles) {
+      join(a, b);
+      join(a, c);
+    }
+  }
+
+  std::uint32_t root(std::uint32_t vertex) {
+    while (parent_[vertex] != vertex) vertex = parent_[vertex] = parent_[parent_[vertex]];
+    return vertex;
+  }
+
+private:
+  void join(std::uint32_t a, std::uint32_t b) {
+    if (parent_[a] == parent_[b]) return;
+    a = root(a);
+    b = root(b);
+    parent_[std::max(a, b)] = std::min(a, b);
+  }
+
+  std::vector<std::uint32_t> parent_;
+};
+
+/// Sorts the triangles by part, in their order within each. Parts are numbered in the order in which the triangles
+/// first meet them; where each begins, and after the last.
+std::vector<std::uint32_t> sortTriangles(EdgeMesh& mesh) {
+  PartForest forest(mesh);
+  std::vector<std::uint32_t> numberOf(mesh.positions.size(), kNone);  // by root
+  std::vector<std::uint32_t> partOf(mesh.triangles.size());
+  std::vector<std::uint32_t> begin{0};
+  bool sorted = true;
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    std::uint32_t& number = numberOf[forest.root(mesh.triangles[i][0])];
+    if (number == kNone) {
+      number = static_cast<std::uint32_t>(begin.size() - 1);
+      begin.push_back(0);
+    }
+    sorted = sorted && number + 2 == begin.size();
+    partOf[i] = number;
+    ++begin[number + 1];
+  }
+  std::partial_sum(begin.begin(), begin.end(), begin.begin());
+  if (sorted) return begin;
+  std::vector<std::uint32_t> next = begin;
+  std::vector<Triangle> triangles(mesh.triangles.size());
+  for (std::size_t i = 0; i < triangles.size(); ++i) triangles[next[partOf[i]]++] = mesh.triangles[i];
+  mesh.triangles = std::move(triangles);
+  return begin;
+}
+
+/// Finds the parts, and sorts triangles and vertices by them. Vertices that no triangle uses are left out.
+void sortIntoParts(EdgeMesh& mesh) {
+  const std::vector<std::uint32_t> begin = sortTriangles(mesh);
+  // Numbered as the triangles first use them, vertices are in the order of their parts.
+  std::vector<std::uint32_t> newNumber(mesh.positions.size(), kNone);
+  std::vector<glm::vec3> positions;
+  positions.reserve(mesh.positions.size());
+  mesh.parts.assign(begin.size() - 1, {});
+  for (std::size_t i = 0; i < mesh.parts.size(); ++i) {
+    EdgeMesh::Part& part = mesh.parts[i];
+    part.triangles = {begin[i], begin[i + 1]};
+    part.vertices.first = static_cast<std::uint32_t>(positions.size());
+    for (std::uint32_t t = part.triangles.first; t < part.triangles.end; ++t) {
+      for (std::uint32_t& vertex : mesh.triangles[t]) {
+        std::uint32_t& number = newNumber[vertex];
+        if (number == kNone) {
+          number = static_cast<std::uint32_t>(positions.size());
+          positions.push_back(mesh.positions[vertex]);
+        }
+        vertex = number;
+      }
+    }
+    part.vertices.end = static_cast<std::uint32_t>(positions.size());
+  }
+  mesh.positions = std::move(positions);
+}
+
+// --- Edges --------------------------------------------------------------------------------------------------------------
+
+/// All edges of the triangles, in the order in which these first use them.
+class EdgeFinder {
+public:
+  struct Edge {
+    std::uint32_t a, b;                  ///< as triangleA runs it
+    std::uint32_t triangleA, triangleB;  ///< see border()
+    std::uint32_t next;                  ///< the next edge with the same lower vertex
+
+    /// Whether it has not just two triangles that agree about which side is out.
+    [[nodiscard]] bool border() const { return triangleB >= kMany; }
+    [[nodiscard]] std::uint32_t across(std::uint32_t triangle) const { return triangle == triangleA ? triangleB : triangleA; }
+  };
+
+  explicit EdgeFinder(const EdgeMesh& mesh) : firstAt_(mesh.positions.size(), kNone), ofTriangle_(mesh.triangles.size()) {
+    edges_.reserve(mesh.triangles.size() * 3 / 2);
+    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+      const auto& [a, b, c] = mesh.triangles[t];
+      ofTriangle_[t] = {use(a, b, t), use(b, c, t), use(c, a, t)};
+    }
+  }
+
+  [[nodiscard]] const std::vector<Edge>& edges() const { return edges_; }
+  [[nodiscard]] const Edge& operator[](std::uint32_t edge) const { return edges_[edge]; }
+  [[nodiscard]] const std::array<std::uint32_t, 3>& ofTriangle(std::uint32_t triangle) const { return ofTriangle_[triangle]; }
+
+private:
+  static constexpr std::uint32_t kMany = kNone - 1;  ///< in triangleB: more than one other triangle, or one that disagrees
+
+  std::uint32_t use(std::uint32_t a, std::uint32_t b, std::uint32_t triangle) {
+    std::uint32_t& first = firstAt_[std::min(a, b)];
+    for (std::uint32_t i = first; i != kNone; i = edges_[i].next) {
+      Edge& edge = edges_[i];
+      const bool opposite = edge.a == b && edge.b == a;
+      if (!opposite && !(edge.a == a && edge.b == b)) continue;
+      edge.triangleB = opposite && edge.triangleB == kNone ? triangle : kMany;
+      return i;
+    }
+    edges_.push_back({a, b, triangle, kNone, first});
+    return first = static_cast<std::uint32_t>(edges_.size() - 1);
+  }
+
+  std::vector<Edge> edges_;
+  std::vector<std::uint32_t> firstAt_;  ///< by lower vertex
+  std::vector<std::array<std::uint32_t, 3>> ofTriangle_;
+};
+
+// --- Welding ------------------------------------------------------------------------------------------------------------
+
+/// Finds vertices at exactly the same place.
 class Welder {
 public:
-  explicit Welder(std::size_t count) : slots_(std::bit_ceil(count * 2 + 1), kNone) {}
+  Welder(const std::vector<glm::vec3>& positions, std::size_t count)
+      : positions_(positions), slots_(std::bit_ceil(count * 2 + 1), kNone) {}
 
-  std::uint32_t add(const glm::vec3& position, std::vector<glm::vec3>& positions) {
-    const glm::vec3 p = position + 0.0F;  // minus zero is zero
+  /// The first vertex that was given of those at the same place.
+  std::uint32_t firstLike(std::uint32_t vertex) {
+    const glm::vec3& p = positions_[vertex];
     const std::size_t mask = slots_.size() - 1;
     for (std::size_t slot = hash(p) & mask;; slot = (slot + 1) & mask) {
-      if (slots_[slot] == kNone) {
-        slots_[slot] = static_cast<std::uint32_t>(positions.size());
-        positions.push_back(p);
-        return slots_[slot];
-      }
-      if (positions[slots_[slot]] == p) return slots_[slot];
+      if (slots_[slot] == kNone) slots_[slot] = vertex;
+      if (positions_[slots_[slot]] == p) return slots_[slot];
     }
   }
 
@@ -44,72 +198,77 @@ private:
     return static_cast<std::size_t>(h ^ (h >> 31));
   }
 
+  const std::vector<glm::vec3>& positions_;
   std::vector<std::uint32_t> slots_;
 };
 
-/// An edge as its triangles give it.
-struct MeshEdge {
-  std::uint32_t a, b;
-  std::uint32_t triangleA, triangleB;  ///< kNone twice when it is not shared by just two that agree
-};
-
-/// One use of an edge by a triangle, kept with the edge's lower vertex.
-struct EdgeUse {
-  std::uint32_t upper;
-  std::uint32_t triangle;
-  bool rising;  ///< the triangle runs it from the lower to the upper vertex
-};
-
-/// Finds all edges: every use of an edge is put with the edge's lower vertex, and there the few that share the upper
-/// one are matched.
-std::vector<MeshEdge> findEdges(const EdgeMesh& mesh) {
-  std::vector<std::uint32_t> begin(mesh.positions.size() + 2, 0);
-  for (const auto& t : mesh.triangles) {
-    for (std::size_t i = 0; i < 3; ++i) ++begin[std::min(t[i], t[(i + 1) % 3]) + 2];
+/// Makes vertices at the same place one in those parts that are not closed: models that split vertices for their
+/// normals are closed that way. False when there were none.
+bool weldOpenParts(EdgeMesh& mesh, const EdgeFinder& edges) {
+  // Edges come in the order of the triangles, and with them of the parts.
+  std::vector<bool> open(mesh.parts.size(), false);
+  std::size_t openVertices = 0;
+  std::size_t part = 0;
+  for (const EdgeFinder::Edge& edge : edges.edges()) {
+    while (edge.a >= mesh.parts[part].vertices.end) ++part;
+    if (!edge.border() || open[part]) continue;
+    open[part] = true;
+    openVertices += mesh.parts[part].vertices.size();
   }
-  for (std::size_t i = 2; i < begin.size(); ++i) begin[i] += begin[i - 1];
-  std::vector<EdgeUse> uses(mesh.triangles.size() * 3);
-  for (std::uint32_t triangle = 0; triangle < mesh.triangles.size(); ++triangle) {
-    const auto& t = mesh.triangles[triangle];
-    for (std::size_t i = 0; i < 3; ++i) {
-      const std::uint32_t a = t[i];
-      const std::uint32_t b = t[(i + 1) % 3];
-      uses[begin[std::min(a, b) + 1]++] = {std::max(a, b), triangle, a < b};
+  if (openVertices == 0) return false;
+
+  Welder welder(mesh.positions, openVertices);
+  std::vector<std::uint32_t> newNumber(mesh.positions.size());
+  std::iota(newNumber.begin(), newNumber.end(), 0U);
+  bool welded = false;
+  for (std::size_t i = 0; i < mesh.parts.size(); ++i) {
+    if (!open[i]) continue;
+    for (std::uint32_t v = mesh.parts[i].vertices.first; v < mesh.parts[i].vertices.end; ++v) {
+      newNumber[v] = welder.firstLike(v);
+      welded = welded || newNumber[v] != v;
     }
   }
-
-  std::vector<MeshEdge> edges;
-  edges.reserve(mesh.triangles.size() * 3 / 2);
-  for (std::uint32_t lower = 0; lower < mesh.positions.size(); ++lower) {
-    const std::span<EdgeUse> here(uses.data() + begin[lower], begin[lower + 1] - begin[lower]);
-    std::sort(here.begin(), here.end(), [](const EdgeUse& l, const EdgeUse& r) {
-      return l.upper != r.upper ? l.upper < r.upper : l.triangle < r.triangle;
-    });
-    for (std::size_t i = 0; i < here.size();) {
-      std::size_t end = i + 1;
-      while (end < here.size() && here[end].upper == here[i].upper) ++end;
-      const bool agreed = end - i == 2 && here[i].rising != here[i + 1].rising;
-      edges.push_back({lower, here[i].upper, agreed ? here[i].triangle : kNone, agreed ? here[i + 1].triangle : kNone});
-      i = end;
-    }
+  if (!welded) return false;
+  for (Triangle& t : mesh.triangles) {
+    for (std::uint32_t& vertex : t) vertex = newNumber[vertex];
   }
-  return edges;
+  std::erase_if(mesh.triangles, [](const Triangle& t) { return !threeDifferent(t); });
+  return true;
+}
+
+// --- Places and planes --------------------------------------------------------------------------------------------------
+
+/// Moves the positions so that the middle of their box is the origin, and measures the parts.
+void recenter(EdgeMesh& mesh) {
+  if (mesh.positions.empty()) return;
+  const auto boundsOf = [&](const EdgeMesh::Span& vertices) {
+    glm::vec3 low = mesh.positions[vertices.first];
+    glm::vec3 high = low;
+    for (std::uint32_t v = vertices.first + 1; v < vertices.end; ++v) {
+      low = glm::min(low, mesh.positions[v]);
+      high = glm::max(high, mesh.positions[v]);
+    }
+    return Bounds{Vec3(low), Vec3(high)};
+  };
+  const Bounds bounds = boundsOf({0, static_cast<std::uint32_t>(mesh.positions.size())});
+  mesh.center = bounds.center();
+  mesh.radiusM = bounds.diagonal() * 0.5;
+  for (glm::vec3& position : mesh.positions) position = glm::vec3(Vec3(position) - mesh.center);
+  for (EdgeMesh::Part& part : mesh.parts) {
+    const Bounds box = boundsOf(part.vertices);
+    part.center = box.center();
+    part.halfSize = box.size() * 0.5;
+  }
 }
 
 /// Collects the triangles of each part into facets: from a triangle with area over shared edges to all that lie in its
 /// plane.
 class FacetFinder {
 public:
-  FacetFinder(EdgeMesh& mesh, const std::vector<MeshEdge>& edges)
-      : mesh_(mesh),
-        neighbours_(mesh.triangles.size(), {kNone, kNone, kNone}),
-        facetOf_(mesh.triangles.size(), EdgeMesh::kNoFacet) {
-    for (const MeshEdge& edge : edges) {
-      if (edge.triangleA == kNone) continue;
-      addNeighbour(edge.triangleA, edge.triangleB);
-      addNeighbour(edge.triangleB, edge.triangleA);
-    }
-    fillUp();
+  FacetFinder(EdgeMesh& mesh, const EdgeFinder& edges)
+      : mesh_(mesh), edges_(edges), facetOf_(mesh.triangles.size(), EdgeMesh::kNoFacet) {
+    for (std::vector<float>* component : {&mesh.normalX, &mesh.normalY, &mesh.normalZ, &mesh.offset})
+      component->reserve(mesh.triangles.size());
     while (facetCount() < EdgeMesh::kFirstFacet) add(Vec3(0.0), 0);
     for (EdgeMesh::Part& part : mesh.parts) findIn(part);
   }
@@ -127,215 +286,98 @@ private:
     return facetCount() - 1;
   }
 
-  void fillUp() {
-    while (facetCount() % 4 != 0) add(Vec3(0.0), 0);
-  }
-
   void findIn(EdgeMesh::Part& part) {
     const double place = glm::length(mesh_.center + part.center) + glm::length(part.halfSize);
     flatM_ = glm::length(part.halfSize) * kFlatShareOfPart + place * kFlatShareOfPlace;
     part.facets.first = facetCount();
     for (std::uint32_t t = part.triangles.first; t < part.triangles.end; ++t) {
-      if (facetOf_[t] == EdgeMesh::kNoFacet && hasArea(t)) grow(t);
+      if (facetOf_[t] == EdgeMesh::kNoFacet) growFrom(t);
     }
     // What is left has no area and no facet beside it: each one is a facet of its own, that faces nowhere.
     for (std::uint32_t t = part.triangles.first; t < part.triangles.end; ++t) {
       if (facetOf_[t] == EdgeMesh::kNoFacet) facetOf_[t] = add(Vec3(0.0), 0);
     }
-    fillUp();
+    while (facetCount() % 4 != 0) add(Vec3(0.0), 0);
     part.facets.end = facetCount();
   }
 
-  void addNeighbour(std::uint32_t triangle, std::uint32_t neighbour) {
-    for (std::uint32_t& slot : neighbours_[triangle]) {
-      if (slot == kNone) {
-        slot = neighbour;
-        return;
-      }
-    }
+  [[nodiscard]] Vec3 at(std::uint32_t vertex) const { return Vec3(mesh_.positions[vertex]); }
+
+  /// Twice the area, along the normal.
+  [[nodiscard]] Vec3 areaVector(const Triangle& t) const {
+    return glm::cross(at(t[1]) - at(t[0]), at(t[2]) - at(t[0]));
   }
 
-  [[nodiscard]] Vec3 areaVector(std::uint32_t triangle) const {
-    const auto& [a, b, c] = mesh_.triangles[triangle];
-    const Vec3 origin(mesh_.positions[a]);
-    return glm::cross(Vec3(mesh_.positions[b]) - origin, Vec3(mesh_.positions[c]) - origin);
+  /// Begins a facet at a triangle that is wide enough for its positions' rounding not to turn it.
+  void growFrom(std::uint32_t seed) {
+    const Triangle& t = mesh_.triangles[seed];
+    const Vec3 ab = at(t[1]) - at(t[0]);
+    const Vec3 ac = at(t[2]) - at(t[0]);
+    const Vec3 bc = ac - ab;
+    const Vec3 area = glm::cross(ab, ac);
+    const double areaSquared = glm::dot(area, area);
+    const double longestSquared = std::max({glm::dot(ab, ab), glm::dot(ac, ac), glm::dot(bc, bc)});
+    if (!(areaSquared > longestSquared * flatM_ * flatM_)) return;
+    const Vec3 normal = area / std::sqrt(areaSquared);
+    spread(seed, normal, -glm::dot(normal, at(t[0])));
   }
 
-  /// Whether the triangle is wide enough for its positions' rounding not to turn it.
-  [[nodiscard]] bool hasArea(std::uint32_t triangle) const {
-    const auto& [a, b, c] = mesh_.triangles[triangle];
-    const Vec3 pa(mesh_.positions[a]);
-    const Vec3 pb(mesh_.positions[b]);
-    const Vec3 pc(mesh_.positions[c]);
-    const double longest = std::max({glm::length(pb - pa), glm::length(pc - pb), glm::length(pa - pc)});
-    return glm::length(areaVector(triangle)) > longest * flatM_;
-  }
-
-  void grow(std::uint32_t seed) {
-    const Vec3 normal = glm::normalize(areaVector(seed));
-    const double offset = -glm::dot(normal, Vec3(mesh_.positions[mesh_.triangles[seed][0]]));
+  void spread(std::uint32_t seed, const Vec3& normal, double offset) {
     const std::uint32_t facet = add(normal, offset);
     facetOf_[seed] = facet;
     stack_.push_back(seed);
     while (!stack_.empty()) {
       const std::uint32_t triangle = stack_.back();
       stack_.pop_back();
-      for (const std::uint32_t next : neighbours_[triangle]) {
-        if (next == kNone || facetOf_[next] != EdgeMesh::kNoFacet || !liesIn(next, normal, offset)) continue;
+      for (const std::uint32_t e : edges_.ofTriangle(triangle)) {
+        const EdgeFinder::Edge& edge = edges_[e];
+        if (edge.border()) continue;
+        const std::uint32_t next = edge.across(triangle);
+        if (facetOf_[next] != EdgeMesh::kNoFacet || !liesIn(next, edge, normal, offset)) continue;
         facetOf_[next] = facet;
         stack_.push_back(next);
       }
     }
   }
 
-  [[nodiscard]] bool liesIn(std::uint32_t triangle, const Vec3& normal, double offset) const {
-    for (const std::uint32_t vertex : mesh_.triangles[triangle]) {
-      if (std::abs(glm::dot(normal, Vec3(mesh_.positions[vertex])) + offset) > flatM_) return false;
-    }
+  /// Whether a triangle lies in a plane in which the edge, one of its own, lies.
+  [[nodiscard]] bool liesIn(std::uint32_t triangle, const EdgeFinder::Edge& edge, const Vec3& normal, double offset) const {
+    const Triangle& t = mesh_.triangles[triangle];
+    const std::uint32_t opposite = t[0] ^ t[1] ^ t[2] ^ edge.a ^ edge.b;  // the vertex that is not the edge's
+    if (std::abs(glm::dot(normal, at(opposite)) + offset) > flatM_) return false;
     // A fold by half a turn lies in the plane as well, upside down.
-    return glm::dot(areaVector(triangle), normal) >= 0;
+    return glm::dot(areaVector(t), normal) >= 0;
   }
 
   EdgeMesh& mesh_;
-  std::vector<std::array<std::uint32_t, 3>> neighbours_;
+  const EdgeFinder& edges_;
   std::vector<std::uint32_t> facetOf_;
   std::vector<std::uint32_t> stack_;
   double flatM_ = 0;
 };
 
-bool finite(const Mesh& mesh, const std::array<std::uint32_t, 3>& triangle) {
-  return std::all_of(triangle.begin(), triangle.end(), [&](std::uint32_t vertex) {
-    const glm::vec3& p = mesh.positions[vertex];
-    return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
-  });
-}
-
-void weld(const Mesh& mesh, EdgeMesh& prepared) {
-  Welder welder(mesh.positions.size());
-  std::vector<std::uint32_t> newNumber(mesh.positions.size(), kNone);
-  prepared.triangles.reserve(mesh.triangles.size());
-  for (const auto& triangle : mesh.triangles) {
-    if (!finite(mesh, triangle)) continue;
-    std::array<std::uint32_t, 3> welded{};
-    for (std::size_t i = 0; i < 3; ++i) {
-      std::uint32_t& number = newNumber[triangle[i]];
-      if (number == kNone) number = welder.add(mesh.positions[triangle[i]], prepared.positions);
-      welded[i] = number;
-    }
-    if (welded[0] != welded[1] && welded[1] != welded[2] && welded[2] != welded[0])
-      prepared.triangles.push_back(welded);
-  }
-}
-
-/// Moves the positions so that the middle of their box is the origin.
-void recenter(EdgeMesh& mesh) {
-  Bounds bounds;
-  for (const glm::vec3& position : mesh.positions) bounds.add(Vec3(position));
-  if (bounds.empty()) return;
-  mesh.center = bounds.center();
-  mesh.radiusM = bounds.diagonal() * 0.5;
-  for (glm::vec3& position : mesh.positions) position = glm::vec3(Vec3(position) - mesh.center);
-}
-
-/// Which part each vertex belongs to, numbered in the order in which the triangles first meet them.
-class PartFinder {
-public:
-  explicit PartFinder(const EdgeMesh& mesh) : parent_(mesh.positions.size()), numberOf_(mesh.positions.size(), kNone) {
-    for (std::uint32_t i = 0; i < parent_.size(); ++i) parent_[i] = i;
-    for (const auto& [a, b, c] : mesh.triangles) {
-      join(a, b);
-      join(a, c);
-    }
-    for (const auto& triangle : mesh.triangles) {
-      std::uint32_t& number = numberOf_[root(triangle[0])];
-      if (number == kNone) number = count_++;
-    }
-  }
-
-  [[nodiscard]] std::uint32_t count() const { return count_; }
-  /// The part's number, or count() for a vertex that no triangle uses.
-  [[nodiscard]] std::uint32_t of(std::uint32_t vertex) { return std::min(numberOf_[root(vertex)], count_); }
-
-private:
-  std::uint32_t root(std::uint32_t vertex) {
-    while (parent_[vertex] != vertex) vertex = parent_[vertex] = parent_[parent_[vertex]];
-    return vertex;
-  }
-  void join(std::uint32_t a, std::uint32_t b) {
-    a = root(a);
-    b = root(b);
-    parent_[std::max(a, b)] = std::min(a, b);
-  }
-
-  std::vector<std::uint32_t> parent_;
-  std::vector<std::uint32_t> numberOf_;
-  std::uint32_t count_ = 0;
-};
-
-/// Sorts items by part, in their order within each; where each part's begin, and after the last.
-template <typename Item, typename PartOf>
-std::vector<std::uint32_t> sortByPart(std::vector<Item>& items, std::uint32_t parts, PartOf partOf) {
-  std::vector<std::uint32_t> begin(parts + 2, 0);
-  for (std::uint32_t i = 0; i < items.size(); ++i) ++begin[partOf(i) + 1];
-  for (std::size_t i = 1; i < begin.size(); ++i) begin[i] += begin[i - 1];
-  std::vector<std::uint32_t> next = begin;
-  std::vector<Item> sorted(items.size());
-  for (std::uint32_t i = 0; i < items.size(); ++i) sorted[next[partOf(i)]++] = items[i];
-  items = std::move(sorted);
-  return begin;
-}
-
-/// Finds the parts, and sorts vertices and triangles by them.
-void sortIntoParts(EdgeMesh& mesh) {
-  PartFinder finder(mesh);
-  const std::uint32_t count = finder.count();
-  const std::vector<std::uint32_t> triangles =
-      sortByPart(mesh.triangles, count, [&](std::uint32_t i) { return finder.of(mesh.triangles[i][0]); });
-  std::vector<std::uint32_t> order(mesh.positions.size());
-  for (std::uint32_t i = 0; i < order.size(); ++i) order[i] = i;
-  const std::vector<std::uint32_t> vertices = sortByPart(order, count, [&](std::uint32_t i) { return finder.of(i); });
-  std::vector<glm::vec3> positions(order.size());
-  std::vector<std::uint32_t> newNumber(order.size());
-  for (std::uint32_t i = 0; i < order.size(); ++i) {
-    positions[i] = mesh.positions[order[i]];
-    newNumber[order[i]] = i;
-  }
-  mesh.positions = std::move(positions);
-  for (auto& triangle : mesh.triangles) {
-    for (std::uint32_t& vertex : triangle) vertex = newNumber[vertex];
-  }
-  mesh.parts.resize(count);
-  for (std::uint32_t i = 0; i < count; ++i) {
-    EdgeMesh::Part& part = mesh.parts[i];
-    part.vertices = {vertices[i], vertices[i + 1]};
-    part.triangles = {triangles[i], triangles[i + 1]};
-    Bounds bounds;
-    for (std::uint32_t v = part.vertices.first; v < part.vertices.end; ++v) bounds.add(Vec3(mesh.positions[v]));
-    part.center = bounds.center();
-    part.halfSize = bounds.size() * 0.5;
-  }
-}
-
 }  // namespace
 
 EdgeMesh makeEdgeMesh(const Mesh& mesh) {
   EdgeMesh prepared;
-  weld(mesh, prepared);
-  recenter(prepared);
+  take(mesh, prepared);
   sortIntoParts(prepared);
-  const std::vector<MeshEdge> edges = findEdges(prepared);
+  EdgeFinder edges(prepared);
+  if (weldOpenParts(prepared, edges)) {
+    sortIntoParts(prepared);
+    edges = EdgeFinder(prepared);
+  }
+  recenter(prepared);
   const FacetFinder facets(prepared, edges);
 
-  prepared.edges.reserve(edges.size());
-  auto edge = edges.begin();
+  prepared.edges.reserve(edges.edges().size());
+  auto edge = edges.edges().begin();
   for (EdgeMesh::Part& part : prepared.parts) {
-    // Edges come by their lower vertex, and with it by their part.
     part.edges.first = static_cast<std::uint32_t>(prepared.edges.size());
-    for (; edge != edges.end() && edge->a < part.vertices.end; ++edge) {
-      const bool border = edge->triangleA == kNone;
-      const std::uint32_t facetA = border ? EdgeMesh::kNoFacet : facets.facetOf(edge->triangleA);
-      const std::uint32_t facetB = border ? EdgeMesh::kNoFacet : facets.facetOf(edge->triangleB);
-      if (border || facetA != facetB) prepared.edges.push_back({edge->a, edge->b, facetA, facetB});
+    for (; edge != edges.edges().end() && edge->a < part.vertices.end; ++edge) {
+      const std::uint32_t facetA = edge->border() ? EdgeMesh::kNoFacet : facets.facetOf(edge->triangleA);
+      const std::uint32_t facetB = edge->border() ? EdgeMesh::kNoFacet : facets.facetOf(edge->triangleB);
+      if (edge->border() || facetA != facetB) prepared.edges.push_back({edge->a, edge->b, facetA, facetB});
     }
     part.edges.end = static_cast<std::uint32_t>(prepared.edges.size());
   }

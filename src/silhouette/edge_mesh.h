@@ -17,7 +17,8 @@ namespace dimline {
 /// kNoFacet twice and counts as silhouette from everywhere.
 ///
 /// All is sorted by parts: what hangs together by shared vertices is one part. A model made of many solids can be
-/// looked at solid by solid that way, however they were gathered into meshes.
+/// looked at solid by solid that way, however they were gathered into meshes. A part that is closed is taken as it is,
+/// whatever else may touch it; in the others, vertices at the same place are one.
 struct EdgeMesh {
   /// The facets' arrays begin with four that are no facets: zero planes, which face nowhere.
   static constexpr std::uint32_t kNoFacet = 0;
@@ -43,7 +44,7 @@ struct EdgeMesh {
 
   Vec3 center{0.0};                                     ///< m, in the mesh's frame: middle of its box
   double radiusM = 0;                                   ///< half the diagonal of its box
-  std::vector<glm::vec3> positions;                     ///< m, relative to `center`; equal positions are one vertex
+  std::vector<glm::vec3> positions;                     ///< m, relative to `center`; those that a triangle uses
   std::vector<std::array<std::uint32_t, 3>> triangles;  ///< those with three different, finite vertices
   std::vector<Edge> edges;
   std::vector<Part> parts;
@@ -53,7 +54,7 @@ struct EdgeMesh {
   std::vector<float> normalX, normalY, normalZ, offset;
 };
 
-/// Welds, finds parts, facets and edges. Time and memory grow with the number of triangles.
+/// Finds parts, facets and edges, and welds where that is needed. Time and memory grow with the number of triangles.
 EdgeMesh makeEdgeMesh(const Mesh& mesh);
 
 }  // namespace dimline

@@ -111,6 +111,36 @@ TEST_CASE("vertices that were split for their normals are welded") {
   REQUIRE(borders(welded) == 0);
 }
 
+TEST_CASE("closed solids that touch stay two, whose edges know both their faces") {
+  Mesh both = test::boxMesh();
+  const Mesh box = both;
+  for (const glm::vec3& p : box.positions) both.positions.push_back(p + glm::vec3(2, 0, 0));  // four corners at the same places
+  for (const auto& [a, b, c] : box.triangles) both.triangles.push_back({a + 8, b + 8, c + 8});
+  const EdgeMesh mesh = makeEdgeMesh(both);
+  REQUIRE(mesh.parts.size() == 2);
+  REQUIRE(mesh.positions.size() == 16);
+  REQUIRE(mesh.edges.size() == 24);
+  REQUIRE(borders(mesh) == 0);
+}
+
+TEST_CASE("an open part is welded with its like, and a closed one that it touches is left alone") {
+  // A box whose lid is a part of its own, on a closed box.
+  const Mesh closed = test::boxMesh();
+  Mesh mesh = closed;
+  for (const glm::vec3& p : closed.positions) mesh.positions.push_back(p + glm::vec3(0, 2, 0));
+  for (const glm::vec3& p : closed.positions) mesh.positions.push_back(p + glm::vec3(0, 2, 0));
+  for (const auto& [a, b, c] : closed.triangles) {
+    const float lid = std::min({closed.positions[a].y, closed.positions[b].y, closed.positions[c].y});
+    const std::uint32_t first = lid > 0 ? 16 : 8;
+    mesh.triangles.push_back({a + first, b + first, c + first});
+  }
+  const EdgeMesh prepared = makeEdgeMesh(mesh);
+  REQUIRE(prepared.parts.size() == 2);
+  REQUIRE(prepared.positions.size() == 16);
+  REQUIRE(prepared.edges.size() == 24);
+  REQUIRE(borders(prepared) == 0);
+}
+
 TEST_CASE("minus zero and zero are the same place") {
   Mesh mesh;
   mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-0.0F, 0, -0.0F}, {0, 1, 0}, {-1, 0, 0}};
