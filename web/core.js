@@ -200,12 +200,13 @@ export class Core {
     this.#editor.pointerUp(id, kind, button, x, y, modifiers);
   }
   /**
-   * Null, or what is being dragged: {parameter, kind: "line" | "arc", value, text, difference, limit: null | "min" | "max", handle: [x, y],
-   * direction: [dx, dy], pointer: "mouse" | "touch" | "pen", snap: "step" | "fine" | "none"}. Shift makes steps fine, alt takes them away; when
-   * a key changes while the pointer rests, call pointerMove with the pointer where it is.
+   * The handles that are being dragged, one by each pointer, in the order in which they were taken hold of: [{id: the pointer's, parameter,
+   * kind: "line" | "arc", value, text, difference, limit: null | "min" | "max", handle: [x, y], direction: [dx, dy],
+   * pointer: "mouse" | "touch" | "pen", snap: "step" | "fine" | "none"}]. Shift makes steps fine, alt takes them away; when a key changes while the
+   * pointer rests, call pointerMove with the pointer where it is.
    */
-  gesture() {
-    return JSON.parse(this.#editor.gestureJson());
+  gestures() {
+    return JSON.parse(this.#editor.gesturesJson());
   }
 
   /** The name of the parameter whose handle or label is there, or null. */
@@ -222,7 +223,7 @@ export class Core {
   cancelGesture() {
     this.#editor.cancelGesture();
   }
-  /** The browser took this pointer away: what it was doing is undone exactly; what others do goes on. */
+  /** The browser took this pointer away: what it was doing is undone; what others do goes on. */
   cancelPointer(id) {
     this.#editor.cancelPointer(id);
   }

@@ -2,6 +2,7 @@ import { CanvasSize } from "./canvas_size.js";
 import { createCore } from "./core.js";
 import { make } from "./dom.js";
 import { commandOf } from "./editor_keys.js";
+import { EditorMessage } from "./editor_message.js";
 import { kEditorCss } from "./editor_style.js";
 import { fetchGltf, isGltfUrl } from "./gltf_files.js";
 import { makeContext, watchContext } from "./graphics_context.js";
@@ -9,6 +10,8 @@ import { loadLabelFont } from "./label_font.js";
 import { decimalMark } from "./numbers.js";
 import { Overlay } from "./overlay.js";
 import { PointerInput } from "./pointer_input.js";
+import { changeSentence } from "./spoken.js";
+import { makeDeferred, Waiting } from "./waiting.js";
 
 // In node there is no DOM: the module can be imported there, and the element not be made.
 const Base = globalThis.HTMLElement ?? class {};
@@ -44,8 +47,8 @@ export class DimlineEditor extends Base {
   #peeking = false; // the key that shows hidden lines is down
   #hiddenShown = false;
   #mark = ".";
-  #ready = null; // {promise, resolve, reject}
-  #settling = []; // who waits in settled()
+  #ready = makeDeferred();
+  #settling = new Waiting();
   #frameRequest = 0;
   #lastFrameMs = 0;
   #size = null; // CanvasSize
@@ -60,7 +63,6 @@ export class DimlineEditor extends Base {
     this.#root.adoptedStyleSheets = [sheet];
     this.#internals = this.attachInternals();
     this.#internals.role = "group";
-    this.#ready = makeReady();
   }
 
   // --- The contract ---
@@ -109,10 +111,9 @@ export class DimlineEditor extends Base {
 
   /** Resolves when fields, placement and animation have come to rest and that is drawn. */
   settled() {
-    return new Promise((resolve, reject) => {
-      this.#settling.push({ resolve, reject });
-      this.#requestFrame();
-    });
+    const settled = this.#settling.join();
+    this.#requestFrame();
+    return settled;
   }
 
   /** The frame as it is drawn now, in CSS pixels from the picture's top left. */
@@ -121,10 +122,10 @@ export class DimlineEditor extends Base {
   }
 
   undo() {
-    this.#act((core) => core.undo());
+    this.#travel("Undone", (core) => core.undo());
   }
   redo() {
-    this.#act((core) => core.redo());
+    this.#travel("Redone", (core) => core.redo());
   }
 
   // --- Beyond the contract: what a page around the element needs ---
@@ -225,9 +226,9 @@ export class DimlineEditor extends Base {
     return this.#need().parseValue(name, text);
   }
 
-  /** Null, or the drag of a handle that is under way: see Core.gesture(). */
-  get gesture() {
-    return this.#core?.gesture() ?? null;
+  /** The drags of handles that are under way: see Core.gestures(). */
+  get gestures() {
+    return this.#core?.gestures() ?? [];
   }
 
   /** Back to its default, as one undo step. */
@@ -322,12 +323,9 @@ export class DimlineEditor extends Base {
       part: "canvas",
     });
     const stage = make("div", { class: "stage" }, canvas, make("div", { class: "ring" }));
-    const text = make("p", { class: "heading" });
-    const why = make("p");
-    const retry = make("button", { type: "button" }, "Try again");
-    const message = make("div", { class: "message", role: "alert", hidden: true }, text, why, retry);
-    this.#root.replaceChildren(stage, message);
-    this.#parts = { canvas, stage, message, text, why, retry };
+    const message = new EditorMessage(() => this.#restart(), signal);
+    this.#root.replaceChildren(stage, message.node);
+    this.#parts = { canvas, stage, message };
 
     const host = {
       core: () => this.#core,
@@ -350,7 +348,7 @@ export class DimlineEditor extends Base {
       {
         lost: () => this.#guard(() => this.#core?.contextLost()),
         missed: () =>
-          this.#showMessage("The picture is gone.", "The graphics device went away and has not come back.", true),
+          this.#parts?.message.show("The picture is gone.", "The graphics device went away and has not come back.", true),
         restored: () => this.#contextRestored(),
       },
       signal,
@@ -359,7 +357,6 @@ export class DimlineEditor extends Base {
     canvas.addEventListener("focus", () => canvas.toggleAttribute("data-ring", canvas.matches(":focus-visible")), { signal });
     canvas.addEventListener("blur", () => canvas.removeAttribute("data-ring"), { signal });
     stage.addEventListener("pointerdown", () => canvas.removeAttribute("data-ring"), { signal });
-    retry.addEventListener("click", () => this.#restart(), { signal });
   }
 
   #dispose() {
@@ -382,8 +379,8 @@ export class DimlineEditor extends Base {
     this.#error = null;
     const gone = new Error("The editor left the document.");
     this.#ready.reject(gone);
-    this.#ready = makeReady();
-    for (const waiting of this.#settling.splice(0)) waiting.reject(gone);
+    this.#ready = makeDeferred();
+    this.#settling.reject(gone);
   }
 
   #restart() {
@@ -408,12 +405,12 @@ export class DimlineEditor extends Base {
       this.#hasModel = true;
       this.#input.reset();
       this.#overlay.clear();
-      this.#showMessage(null);
+      this.#parts.message.hide();
       this.#requestFrame();
     } catch (error) {
       if (signal.aborted) return;
       if (error instanceof WebAssembly.RuntimeError) return this.#fail(error);
-      if (!this.#hasModel) this.#showMessage("The model cannot be shown.", error.message);
+      if (!this.#hasModel) this.#parts?.message.show("The model cannot be shown.", error.message);
       this.dispatchEvent(
         new ErrorEvent("error", { error, message: error.message, bubbles: true, composed: true, cancelable: true }),
       );
@@ -453,8 +450,8 @@ export class DimlineEditor extends Base {
       const events = this.#core.takeEvents();
       if (events.some((type) => type !== "camera-change")) this.#describe();
       this.#overlay.update(this.#core, this.#input, rests);
-      if (rests) for (const waiting of this.#settling.splice(0)) waiting.resolve();
-      if (more || this.#settling.length > 0) this.#requestFrame();
+      if (rests) this.#settling.resolve();
+      if (more || this.#settling.any) this.#requestFrame();
       for (const type of events) this.dispatchEvent(new Event(type, { bubbles: true, composed: true }));
     });
   }
@@ -489,7 +486,7 @@ export class DimlineEditor extends Base {
   #contextRestored() {
     this.#guard(() => {
       this.#core?.attachContext(this.#parts.canvas.getContext("webgl2"));
-      this.#showMessage(null);
+      this.#parts.message.hide();
       this.#requestFrame();
     });
   }
@@ -514,6 +511,15 @@ export class DimlineEditor extends Base {
     }
   }
 
+  // Through the history, and tells those who cannot see it what that has changed.
+  #travel(word, call) {
+    this.#act((core) => {
+      const before = core.parameters();
+      call(core);
+      this.#overlay.announce(changeSentence(word, before, core.parameters(), this.#mark));
+    });
+  }
+
   #guard(call) {
     if (!this.#core) return;
     try {
@@ -529,33 +535,17 @@ export class DimlineEditor extends Base {
     this.#core = null; // after a trap not even disposing is safe; the instance goes as a whole
     cancelAnimationFrame(this.#frameRequest);
     this.#frameRequest = 0;
-    for (const waiting of this.#settling.splice(0)) waiting.reject(error);
+    this.#settling.reject(error);
     this.#ready.reject(error);
     if (!listening) return;
     if (error instanceof WebAssembly.RuntimeError) {
       console.error(error);
-      this.#showMessage("The editor had to stop.", "There was a fault in its core.", true);
+      this.#parts.message.show("The editor had to stop.", "There was a fault in its core.", true);
     } else {
-      this.#showMessage("The editor cannot be shown.", error.message, true);
+      this.#parts.message.show("The editor cannot be shown.", error.message, true);
     }
     this.dispatchEvent(new ErrorEvent("error", { error, message: error.message, bubbles: true, composed: true }));
   }
-
-  #showMessage(heading, reason = "", canRetry = false) {
-    if (!this.#parts) return;
-    const { message, text, why, retry } = this.#parts;
-    message.hidden = !heading;
-    text.textContent = heading ?? "";
-    why.textContent = reason;
-    retry.hidden = !canRetry;
-  }
-}
-
-function makeReady() {
-  const ready = {};
-  ready.promise = new Promise((resolve, reject) => Object.assign(ready, { resolve, reject }));
-  ready.promise.catch(() => {}); // whoever awaits it hears of it; nobody has to
-  return ready;
 }
 
 if (globalThis.customElements && !customElements.get("dimline-editor")) {

@@ -5,18 +5,14 @@
 
 import { cursorAlong, dragDirection } from "./cursors.js";
 import { make } from "./dom.js";
+import { DragReadouts } from "./drag_readouts.js";
 import { LabelLayer } from "./label_layer.js";
 import { stepped } from "./numbers.js";
 import { PillLayer } from "./pill_layer.js";
 import { Readout } from "./readout.js";
+import { limitSentence } from "./spoken.js";
 import { arrange, readingOrder } from "./tab_order.js";
 import { ValueField } from "./value_field.js";
-
-// From the value as it is by now: keys may come faster than frames.
-function step(core, name, steps) {
-  const parameter = core.parameters().find((candidate) => candidate.name === name);
-  core.setParameterContinuous(name, stepped(parameter, steps));
-}
 
 // The keyboard as a pointer: no browser gives this id to one.
 const kKeyboardId = -2;
@@ -28,7 +24,9 @@ export class Overlay {
   #host;
   #labels;
   #pills;
+  #live = make("p", { class: "live", role: "status" }); // what screen readers are told
   #readout;
+  #dragReadouts;
   #field;
   #parameters = [];
   #measures = [];
@@ -50,12 +48,10 @@ export class Overlay {
   constructor(stage, host, signal) {
     this.#stage = stage;
     this.#host = host;
-    const box = make("div", { class: "readout", "aria-hidden": "true" });
-    const live = make("p", { class: "live", role: "status" });
-    stage.append(this.#handles, box, live);
+    stage.append(this.#handles, this.#live);
     const handleHost = {
       changed: host.changed,
-      step: (name, steps) => host.act((core) => step(core, name, steps)),
+      step: (name, steps) => host.act((core) => this.#step(core, name, steps)),
       endAdjusting: () => host.guard(() => this.#endAdjusting()),
       set: (name, value) => host.act((core) => core.setParameters({ [name]: value })),
       edit: (name, text) => host.guard(() => this.#field.open(name, { text })),
@@ -66,7 +62,8 @@ export class Overlay {
     this.#handles.addEventListener("focusout", () => this.#usedKeys(), { signal });
     this.#labels = new LabelLayer(this.#handles, handleHost, signal);
     this.#pills = new PillLayer(this.#handles, handleHost, signal);
-    this.#readout = new Readout(stage, box, live);
+    this.#readout = new Readout(stage);
+    this.#dragReadouts = new DragReadouts(stage);
     this.#field = new ValueField(stage, this.#fieldHost(), signal);
   }
 
@@ -75,6 +72,7 @@ export class Overlay {
     this.#field.close();
     this.#labels.clear();
     this.#readout.silence();
+    this.announce("");
     this.#saidOf = this.#overNumber = null;
     this.#marked = "";
     this.#hover = { name: null, cursor: "" };
@@ -101,17 +99,19 @@ export class Overlay {
    */
   update(core, input, rests) {
     const labels = core.labels();
-    const gesture = core.gesture();
+    const gestures = core.gestures();
+    const dragged = gestures.length > 0;
     this.#pills.update(core.pills(), devicePixelRatio);
     this.#labels.update(labels, devicePixelRatio);
     this.#field.follow();
-    input.dragDirection = gesture?.direction;
-    if (gesture) this.#hover.name = null; // its line turns, and the cursor with it
-    const focused = gesture || input.active ? null : this.#markFocused(core);
-    const named = gesture && this.#named(gesture);
+    input.dragDirection = gestures.find(({ pointer }) => pointer !== "touch")?.direction;
+    if (dragged) this.#hover.name = null; // its line turns, and the cursor with it
+    const focused = dragged || input.active ? null : this.#markFocused(core);
     const name = focused ? this.#titleOf(focused.name) : this.#hoveredName(labels);
     if (this.#saidOf !== null) this.#readout.moveSentence(this.#labels.boxOf(this.#saidOf));
-    this.#readout.update(named, this.#field.complains ? "" : name, input.last, focused?.box);
+    if (dragged) this.#readout.silence();
+    this.#dragReadouts.update(gestures.map((gesture) => this.#named(gesture)));
+    this.#readout.update(dragged || this.#field.complains ? "" : name, input.last, focused?.box);
     // Where the Tab key goes is a matter of the picture at rest: nothing changes places under a finger.
     if (!rests || input.active) return;
     arrange(this.#handles, readingOrder([...this.#labels.stops(), ...this.#pills.stops()]));
@@ -180,6 +180,14 @@ export class Overlay {
     return this.#parameter(name)?.title ?? name;
   }
 
+  // From the value as it is by now: keys may come faster than frames.
+  #step(core, name, steps) {
+    const parameter = core.parameters().find((candidate) => candidate.name === name);
+    const value = stepped(parameter, steps);
+    if (value === parameter.value) this.announce(limitSentence(parameter.title, steps > 0, core.inputText(name)));
+    else core.setParameterContinuous(name, value);
+  }
+
   #endAdjusting() {
     this.#host.core().endContinuous();
     this.#host.changed();
@@ -244,7 +252,7 @@ export class Overlay {
     const value = core.parseValue(name, text);
     core.setParameters({ [name]: value });
     if (value > max || value < min) {
-      this.#say(name, `${title} is ${value > max ? "at most" : "at least"} ${core.inputText(name)}.`);
+      this.#say(name, limitSentence(title, value > max, core.inputText(name)));
     }
   }
 
@@ -255,7 +263,13 @@ export class Overlay {
     });
   }
 
+  /** Tells screen readers a sentence. */
+  announce(sentence) {
+    this.#live.textContent = sentence;
+  }
+
   #say(name, sentence) {
+    this.announce(sentence);
     const middle = [this.#stage.offsetWidth / 2, this.#stage.offsetHeight / 2];
     this.#saidOf = name;
     const lastsMs = this.#readout.say(sentence, this.#labels.boxOf(name) ?? [...middle, ...middle]);

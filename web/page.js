@@ -139,13 +139,13 @@ editor.addEventListener("error", (event) => showFailure(event.error));
 // What a drag drives is marked while it lasts. One that ends where it began is followed by no change, so its end is looked for.
 let dragging = false;
 function untilDragEnds() {
-  if (editor.gesture !== null) return requestAnimationFrame(untilDragEnds);
+  if (editor.gestures.length > 0) return requestAnimationFrame(untilDragEnds);
   dragging = false;
   showValues(false);
 }
 editor.addEventListener("input", () => {
   showValues(!sliding);
-  if (dragging || editor.gesture === null) return;
+  if (dragging || editor.gestures.length === 0) return;
   dragging = true;
   requestAnimationFrame(untilDragEnds);
 });

@@ -27,7 +27,7 @@ export class PointerInput {
   #stage;
   #canvas;
   #host;
-  #held = new Map(); // pointer id -> {target: "handle" | "camera" | "", kind, x, y, ms, still}: what it holds, and where that began
+  #held = new Map(); // pointer id -> {target: "handle" | "camera" | "", kind, at: [x, y], x, y, ms, still}: what it holds, where it is, and where that began
   #tapped = null; // {x, y, ms, touch, target}: the press that has just ended, if it was a tap
   #before = null; // the tap before it
 
@@ -121,7 +121,7 @@ export class PointerInput {
     const alone = this.#held.size === 0 && event.button === 0 && !event.ctrlKey && !event.metaKey;
     for (const other of this.#held.values()) other.still = false;
     const { x, y } = this.last;
-    this.#held.set(event.pointerId, { target, kind: kindOf(event), x, y, ms: event.timeStamp, still: alone });
+    this.#held.set(event.pointerId, { target, kind: kindOf(event), at: [x, y], x, y, ms: event.timeStamp, still: alone });
     // A pointer that a script invented cannot be captured; its gesture works without.
     try {
       this.#stage.setPointerCapture(event.pointerId);
@@ -133,6 +133,7 @@ export class PointerInput {
     const held = this.#held.get(event.pointerId);
     if (held) {
       this.#call("pointerMove", event);
+      held.at = [this.last.x, this.last.y];
       const { strayPx } = event.pointerType === "touch" ? kFingerTap : kTap;
       if (Math.hypot(this.last.x - held.x, this.last.y - held.y) > strayPx) held.still = false;
     } else if (onControl(event)) {
@@ -212,10 +213,12 @@ export class PointerInput {
   // Shift and Alt change how a drag snaps, at once and not only with the pointer's next movement.
   #modifierKey(event) {
     if (event.key !== "Shift" && event.key !== "Alt") return;
-    const [id, held] = [...this.#held].find(([, { target }]) => target === "handle") ?? [];
-    if (!held) return;
+    const dragging = [...this.#held].filter(([, { target }]) => target === "handle");
+    if (dragging.length === 0) return;
     event.preventDefault(); // Alt alone would open the browser's menu
-    this.#host.guard(() => this.#host.core()?.pointerMove(id, held.kind, 0, this.last.x, this.last.y, modifierBits(event)));
+    for (const [id, { kind, at }] of dragging) {
+      this.#host.guard(() => this.#host.core()?.pointerMove(id, kind, 0, ...at, modifierBits(event)));
+    }
     this.#host.changed();
   }
 

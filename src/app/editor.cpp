@@ -96,7 +96,7 @@ void Editor::setValues(std::span<const std::pair<std::size_t, double>> changes) 
 void Editor::setValueContinuous(std::size_t parameter, double value) {
   State& s = *state_;
   assert(parameter < s.values.size());
-  if (s.drag) s.finishEdits();
+  if (s.handleGesture) s.finishEdits();
   if (!s.continuing) s.continuing = s.values;
   Values next = s.values;
   next.set(parameter, clampValue(s.model.parameters()[parameter], value));
@@ -124,7 +124,7 @@ void Editor::redo() {
 bool Editor::canUndo() const {
   const State& s = *state_;
   return s.history.canUndo() || (s.continuing && *s.continuing != s.values) ||
-         (s.drag && s.drag->startValues() != s.values);
+         (s.handleGesture && s.handleGesture->before != s.values);
 }
 bool Editor::canRedo() const { return state_->history.canRedo(); }
 
@@ -146,7 +146,7 @@ bool Editor::State::assign(const Values& next) {
 
 /// Ends whatever edit is under way, as letting go would, so that another one can begin.
 void Editor::State::finishEdits() {
-  if (drag) endHandleDrag();
+  if (handleGesture) endHandleGesture();
   if (!continuing) return;
   Values before = std::move(*continuing);
   continuing.reset();

@@ -106,18 +106,20 @@ class Editor {
 
   // --- Input ---
   /// Orbit, pan and zoom in the manner of three.js's OrbitControls: primary drag orbits, secondary (or primary with ctrl/meta/shift) pans, middle drag and
-  /// wheel zoom; one finger orbits, two pan and zoom. A handle under the pointer is dragged instead.
+  /// wheel zoom; one finger orbits, two pan and zoom. A handle under the pointer is dragged instead; while one is, further pointers drag the handles that they
+  /// are on, each of another parameter, or do nothing. All that is from the first one down to the last one up is one undo step.
   PointerTarget pointerDown(const PointerInput& input);
   PointerTarget pointerMove(const PointerInput& input);
   void pointerUp(const PointerInput& input);
   /// The browser took the pointer away, or Esc: the gesture is undone exactly.
   void cancelGesture();
-  /// The same for one pointer: a gesture of others goes on. Of two fingers that move the camera either takes back what both did.
+  /// The same for one pointer: other handles are dragged on. Of two fingers that move the camera either takes back what both did.
   void cancelPointer(int id);
   void wheel(const Vec2& screen, double deltaPx, const Modifiers& modifiers);
   /// What is being dragged, and what that has led to.
   struct Gesture {
     enum class Limit : std::uint8_t { kNone, kMin, kMax };
+    int id = 0;                   ///< of the pointer that drags it
     std::size_t parameter = 0;
     bool arc = false;             ///< an angle's arc, or else a line
     double value = 0;
@@ -129,7 +131,8 @@ class Editor {
     PointerKind pointer = PointerKind::kMouse;
     DragSnap snap = DragSnap::kStep;
   };
-  [[nodiscard]] std::optional<Gesture> gesture() const;
+  /// Of all handles that are being dragged, in the order in which they were taken hold of.
+  [[nodiscard]] std::vector<Gesture> gestures() const;
   /// The parameter whose handle or label is at a place on screen: the nearest handle within the pointer's reach, or else the label there.
   [[nodiscard]] std::optional<std::size_t> parameterAt(const Vec2& screen, PointerKind kind) const;
   /// Where a pointer that is not down hovers; nothing when it left.

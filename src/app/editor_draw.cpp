@@ -13,6 +13,12 @@ namespace {
 constexpr double kScopesInFull = 8;
 constexpr std::size_t kMostEdges = 1500;
 
+/// ms. So long a frame may evaluate the model for what is shown beside a dragged line.
+constexpr double kLearningMs = 3.0;
+
+/// ms. So often it is shown while there is more to come.
+constexpr double kShowLearnedMs = 80.0;
+
 /// px. Nothing is marked so near to a label.
 constexpr double kLabelMarkGapPx = 3.0;
 
@@ -120,9 +126,9 @@ void Editor::State::buildOverlayMarks() {
   overlayEdges.clear();
   if (!linesShown) return;
   const double share = std::clamp((nowMs - hoverChangedMs) / kHoverMs, 0.0, 1.0);
-  if (drag) {
+  if (handleGesture) {
     addDragMarks();
-    markScopes(drag->parameter(), drawn.view, 1.0);
+    for (const HandleHold& hold : handleGesture->holds) markScopes(hold.drag.parameter(), drawn.view, 1.0);
     return;
   }
   if (hovered) markScopes(hovered->parameter, drawn.view, hoveredBefore && hoveredBefore->parameter == hovered->parameter ? 1.0 : share);
@@ -131,18 +137,41 @@ void Editor::State::buildOverlayMarks() {
   }
 }
 
-/// The marks of the drag, but for those that its own label covers.
-void Editor::State::addDragMarks() {
-  const double value = values.at(drag->parameter());
-  for (std::size_t i = 0; i < drawn.lines.size(); ++i) {
-    if (!lineStates[i].dragged || drag->line() == nullptr) continue;
-    drag->line()->addMarks(value, drawn.lines[i].lineScreen, drawn.view, dragSnap, dragMarks);
-    if (drawn.lines[i].label) dropCovered(*drawn.lines[i].label, dragMarks);
+/// Finds out more of what a drag will show beside its line where that takes trying: the model is evaluated for it, so a few times a frame.
+void Editor::State::learnMarks() {
+  marksToLearn = false;
+  if (!handleGesture || !renderer || !linesShown) return;
+  const Stopwatch watch;
+  for (const PlacedLine& line : drawn.lines) {
+    HandleHold* hold = handleGesture->dragging(line);
+    if (hold == nullptr) continue;
+    while (!marksToLearn && hold->drag.line()->learnNearby(values.at(line.parameter), line, drawn.view, hold->snap)) {
+      marksLearned = true;
+      marksToLearn = watch.ms() > kLearningMs;
+    }
   }
-  for (std::size_t i = 0; i < drawn.others.size(); ++i) {
-    if (!otherStates[i].dragged || drag->arc() == nullptr) continue;
-    drag->arc()->addMarks(value, drawn.view, dragSnap, dragMarks);
-    dropCovered(drawn.others[i].box, dragMarks);
+  // Each one is not worth a picture of its own.
+  if (!marksLearned || (marksToLearn && nowMs - marksShownMs < kShowLearnedMs)) return;
+  marksLearned = false;
+  marksShownMs = nowMs;
+  pictureStale = true;
+}
+
+/// The marks of drags, but for those that their own labels cover.
+void Editor::State::addDragMarks() {
+  for (const PlacedLine& line : drawn.lines) {
+    HandleHold* hold = handleGesture->dragging(line);
+    if (hold != nullptr) hold->drag.line()->addMarks(values.at(line.parameter), line, drawn.view, hold->snap, dragMarks);
+  }
+  for (const PlacedHandle& other : drawn.others) {
+    const HandleHold* hold = handleGesture->dragging(other);
+    if (hold != nullptr) hold->drag.arc()->addMarks(values.at(other.parameter), drawn.view, hold->snap, dragMarks);
+  }
+  for (const PlacedLine& line : drawn.lines) {
+    if (line.label && handleGesture->dragging(line) != nullptr) dropCovered(*line.label, dragMarks);
+  }
+  for (const PlacedHandle& other : drawn.others) {
+    if (handleGesture->dragging(other) != nullptr) dropCovered(other.box, dragMarks);
   }
 }
 

@@ -34,6 +34,7 @@ bool Editor::frame(double nowMs) {
   const View view = s.currentView();
   s.measureAndPlace(view);
   s.animate(view);
+  s.learnMarks();
   s.draw(view);
   s.restedLastFrame = atRest();
   return !s.restedLastFrame;
@@ -45,7 +46,7 @@ bool Editor::atRest() const {
   if (s.sceneStale) return false;
   if (!s.hasSize()) return true;
   return !s.viewStale && !s.visibilityStale && s.fieldSource.current() && !s.fieldSource.pending() &&
-         s.animator.atRest() && s.handleAnimator.atRest() && !s.hoverAnimating() && !s.wantsBetterPicture() && !(s.renderer && (s.pictureStale || s.marksBehind()));
+         s.animator.atRest() && s.handleAnimator.atRest() && !s.hoverAnimating() && !s.marksToLearn && !s.wantsBetterPicture() && !(s.renderer && (s.pictureStale || s.marksBehind()));
 }
 
 void Editor::State::rebuild() {
@@ -117,12 +118,18 @@ void Editor::State::placeOn(const View& view, bool moving) {
     placer.recall(*recall);
     if (fieldSource.current()) recall.reset();  // fields that are still on their way will place the lines once more
   }
-  const auto held = drag && drag->line() ? drag->line()->lineOn(scene, values, view) : std::nullopt;
-  const bool inChain = held && held->chain >= 0;
-  placer.place(view, fieldSource.fields(), placedValues(), placed, &visibilitySource.seen(), held && !inChain ? &*held : nullptr);
-  if (inChain) holdMember(*held);
-  if (drag && drag->arc()) {
-    if (const auto arc = drag->arc()->handleOn(values, view)) holdArc(*arc);
+  heldLines.clear();
+  const std::span<const HandleHold> holds = handleGesture ? std::span<const HandleHold>(handleGesture->holds) : std::span<const HandleHold>();
+  for (const HandleHold& hold : holds) {
+    auto line = hold.drag.line() != nullptr ? hold.drag.line()->lineOn(scene, values, view) : std::nullopt;
+    if (line) heldLines.push_back(std::move(*line));
+  }
+  const auto members = std::ranges::partition(heldLines, [](const PlacedLine& line) { return line.chain < 0; });
+  placer.place(view, fieldSource.fields(), placedValues(), placed, &visibilitySource.seen(), std::span(heldLines.begin(), members.begin()));
+  for (const PlacedLine& member : members) holdMember(member);
+  for (const HandleHold& hold : holds) {
+    const auto arc = hold.drag.arc() != nullptr ? hold.drag.arc()->handleOn(values, view) : std::nullopt;
+    if (arc) holdArc(*arc);
   }
   timings.placeMs = placeWatch.ms();
   placedOnce = true;
@@ -178,7 +185,7 @@ void Editor::State::animate(const View& view) {
   Layout none;
   none.view = placed.view;
   const Layout& shown = linesShown ? placed : none;
-  animator.update(shown, scene.scopes, view, nowMs, drawn);
+  animator.update(shown, scene.scopes, view, nowMs, drawn, heldLines);
   handleAnimator.update(shown, scene.scopes, view, nowMs, drawn);
   updateHover();
   updateStates();
@@ -199,8 +206,7 @@ void Editor::State::updateStates() {
     const auto isOf = [&](const std::optional<HandleKey>& key) {
       return key && (*key == keyOf(line, true) || *key == keyOf(line, false));
     };
-    const bool dragged = drag && line.parameter == drag->parameter() &&
-                         (line.chain < 0 || (drag->line() && line.identity == drag->line()->startLine().identity));
+    const bool dragged = handleGesture && handleGesture->dragging(line) != nullptr;
     lineStates[i] = {animator.opacities()[i], isOf(hovered), dragged};
     handleScales[i] = scaleOf(dragged, isOf(hovered), isOf(hoveredBefore));
   }
@@ -208,7 +214,7 @@ void Editor::State::updateStates() {
   otherScales.resize(drawn.others.size());
   for (std::size_t i = 0; i < drawn.others.size(); ++i) {
     const HandleKey key = keyOf(drawn.others[i]);
-    const bool dragged = drag && drawn.others[i].parameter == drag->parameter();
+    const bool dragged = handleGesture && handleGesture->dragging(drawn.others[i]) != nullptr;
     otherStates[i] = {handleAnimator.opacities()[i], hovered == key, dragged};
     otherScales[i] = scaleOf(dragged, hovered == key, hoveredBefore == key);
   }

@@ -3,8 +3,9 @@
 #include "app/editor_state.h"
 #include "app/ray_cast.h"
 
-// A gesture belongs to the pointer that began it; other pointers do nothing until it ends, but for a second finger,
-// which turns an orbit into a pan and zoom. Every movement is computed from the gesture's start.
+// A gesture of the camera belongs to the pointer that began it; other pointers do nothing until it ends, but for a second finger, which turns an orbit into a
+// pan and zoom. Handles are dragged by as many pointers as take hold of one, each of another parameter; what touches anything else meanwhile does nothing.
+// Every movement is computed from the gesture's start.
 
 namespace dimline {
 
@@ -36,7 +37,7 @@ CameraGesture::Kind kindFor(const PointerInput& input) {
 PointerTarget Editor::pointerDown(const PointerInput& input) {
   State& s = *state_;
   if (!finite(input.screen) || !s.loaded || !s.hasSize()) return PointerTarget::kNothing;
-  if (s.drag) return PointerTarget::kNothing;
+  if (s.handleGesture) return input.button == PointerButton::kPrimary && s.takeHandle(input) ? PointerTarget::kHandle : PointerTarget::kNothing;
   if (s.cameraGesture) {
     const bool secondFinger =
         input.kind == PointerKind::kTouch && s.cameraGesture->pointerKind == PointerKind::kTouch &&
@@ -45,15 +46,17 @@ PointerTarget Editor::pointerDown(const PointerInput& input) {
     s.addFinger(input);
     return PointerTarget::kCamera;
   }
-  if (input.button == PointerButton::kPrimary && s.beginHandleDrag(input)) return PointerTarget::kHandle;
+  if (input.button == PointerButton::kPrimary && s.takeHandle(input)) return PointerTarget::kHandle;
   s.beginCameraGesture(input);
   return PointerTarget::kCamera;
 }
 
 PointerTarget Editor::pointerMove(const PointerInput& input) {
   State& s = *state_;
-  if (s.drag && input.id == s.dragPointer) {
-    if (finite(input.screen)) s.moveHandle(input);
+  if (s.handleGesture) {
+    const auto hold = s.handleGesture->holdOf(input.id);
+    if (hold == s.handleGesture->holds.end()) return PointerTarget::kNothing;
+    if (finite(input.screen)) s.moveHandle(*hold, input);
     return PointerTarget::kHandle;
   }
   if (s.cameraGesture) {
@@ -73,19 +76,13 @@ PointerTarget Editor::pointerMove(const PointerInput& input) {
 void Editor::pointerUp(const PointerInput& input) {
   State& s = *state_;
   pointerMove(input);
-  if (s.drag && input.id == s.dragPointer) s.endHandleDrag();
+  if (s.handleGesture) s.releaseHandle(input.id);
   if (s.cameraGesture) s.endCameraPointer(input.id);
 }
 
 void Editor::cancelGesture() {
   State& s = *state_;
-  if (s.drag) {
-    const Values before = s.drag->startValues();
-    s.drag.reset();
-    s.recall = s.beforeDrag;
-    s.viewStale = true;
-    s.assign(before);
-  }
+  if (s.handleGesture) s.cancelHandleGesture();
   if (s.cameraGesture) {
     const Camera before = s.cameraGesture->restore;
     s.cameraGesture.reset();
@@ -94,16 +91,15 @@ void Editor::cancelGesture() {
 }
 
 void Editor::cancelPointer(int id) {
-  const State& s = *state_;
+  State& s = *state_;
+  if (s.handleGesture) return s.withdrawHandle(id);
   const auto& camera = s.cameraGesture;
-  const bool ofCamera =
-      camera && (id == camera->first.id || (camera->kind == CameraGesture::Kind::kTwoFingers && id == camera->second.id));
-  if ((s.drag && id == s.dragPointer) || ofCamera) cancelGesture();
+  if (camera && (id == camera->first.id || (camera->kind == CameraGesture::Kind::kTwoFingers && id == camera->second.id))) cancelGesture();
 }
 
 void Editor::wheel(const Vec2& screen, double deltaPx, const Modifiers& modifiers) {
   State& s = *state_;
-  if (!finite(screen) || !std::isfinite(deltaPx) || !s.loaded || !s.hasSize() || s.drag || s.cameraGesture) return;
+  if (!finite(screen) || !std::isfinite(deltaPx) || !s.loaded || !s.hasSize() || s.handleGesture || s.cameraGesture) return;
   double delta = std::clamp(deltaPx, -kMostWheelPx, kMostWheelPx);
   if (modifiers.ctrl && std::abs(delta) <= kMostPinchPx) delta *= kPinchScale;
   s.moveCamera(zoom(s.camera, wheelZoomFactor(delta), s.pivotUnder(screen), cameraLimits(s.scene.bounds)));
@@ -167,7 +163,7 @@ const PlacedHandle* Editor::State::placedHandleOf(const HandleKey& key) const {
 
 /// Brings scene and lines up to date with values that were set since the last frame: a drag starts from both.
 void Editor::State::catchUp() {
-  finishEdits();
+  if (!handleGesture) finishEdits();
   if (!sceneStale) return;
   rebuild();
   const View view = currentView();
@@ -175,31 +171,29 @@ void Editor::State::catchUp() {
   animate(view);
 }
 
-/// Takes hold of the handle under the pointer, if there is one.
-bool Editor::State::beginHandleDrag(const PointerInput& input) {
+/// Takes hold of the handle under the pointer, if there is one that no other pointer has: of each parameter one.
+bool Editor::State::takeHandle(const PointerInput& input) {
   // What is hit is what is seen; what is dragged is the same line where it belongs by now. One that still glides is
   // taken where it is going to, so that nobody edits with a line that has no place.
   const auto hit = gripAt(input);
   if (!hit) return false;
   const HandleKey key = keyOf(*hit);
+  if (handleGesture && (handleGesture->drags(key.parameter) || handleGesture->holdOf(input.id) != handleGesture->holds.end())) return false;
   const auto* onLine = std::get_if<HandleRef>(&*hit);
   const Handle& seen = onLine != nullptr ? drawn.lines[onLine->line].handles[onLine->handle]
                                          : drawn.others[std::get<std::size_t>(*hit)].handles.front();
   const Vec2 grabOffset = input.screen - seen.screen;
   catchUp();
-  drag = takeHold(key, grabOffset, currentView());
-  if (!drag) return false;
-  dragPointer = input.id;
-  dragPointerKind = input.kind;
-  dragSnap = snapFor(input.modifiers);
-  beforeDrag = placer.memory();
+  auto taken = takeHold(key, grabOffset, currentView());
+  if (!taken) return false;
+  if (!handleGesture) handleGesture = HandleGesture{values, placer.memory(), {}};
+  handleGesture->holds.push_back({input.id, input.kind, snapFor(input.modifiers), input.screen, std::move(*taken)});
   hoverAt.reset();
   updateHover();
   viewStale = true;
   return true;
 }
 
-/// Begins the drag of a handle as it is placed. Nothing when it is there no more, or nobody could drag it.
 std::optional<ValueDrag> Editor::State::takeHold(const HandleKey& key, const Vec2& grabOffset, const View& view) const {
   if (const PlacedLine* line = placedLineOf(key)) {
     const Handle handle{key.atEnd, view.toScreen(key.atEnd ? line->line.end : line->line.start)};
@@ -214,27 +208,57 @@ std::optional<ValueDrag> Editor::State::takeHold(const HandleKey& key, const Vec
   return std::nullopt;
 }
 
-void Editor::State::moveHandle(const PointerInput& input) {
+void Editor::State::moveHandle(HandleHold& hold, const PointerInput& input) {
   if (!hasSize()) return;
-  dragSnap = snapFor(input.modifiers);
-  Values next = drag->startValues();
-  next.set(drag->parameter(), drag->valueAt(input.screen, currentView(), dragSnap));
-  assign(next);
+  hold.at = input.screen;
+  hold.snap = snapFor(input.modifiers);
+  assign(handleGesture->valuesUnder(values, currentView()));
 }
 
-void Editor::State::endHandleDrag() {
-  const Values before = drag->startValues();
-  drag.reset();
+/// A pointer was lifted: what it did stays.
+void Editor::State::releaseHandle(int pointer) {
+  const auto hold = handleGesture->holdOf(pointer);
+  if (hold == handleGesture->holds.end()) return;
+  handleGesture->holds.erase(hold);
   viewStale = true;  // the line is free to find its place again
+  if (handleGesture->holds.empty()) endHandleGesture();
+}
+
+/// A pointer was taken away: what it did is undone, and what others do goes on.
+void Editor::State::withdrawHandle(int pointer) {
+  HandleGesture& gesture = *handleGesture;
+  const auto hold = gesture.holdOf(pointer);
+  if (hold == gesture.holds.end()) return;
+  Values next = values;
+  next.set(hold->drag.parameter(), hold->drag.startValue());
+  if (gesture.holds.size() == 1 && next == gesture.before) return cancelHandleGesture();
+  gesture.holds.erase(hold);
+  viewStale = true;
+  assign(hasSize() ? gesture.valuesUnder(next, currentView()) : next);
+  if (gesture.holds.empty()) endHandleGesture();
+}
+
+void Editor::State::endHandleGesture() {
+  const Values before = std::move(handleGesture->before);
+  handleGesture.reset();
+  viewStale = true;
   if (before == values) return;
   history.record(before);
   notify(EditorEvent::kChange);
 }
 
+void Editor::State::cancelHandleGesture() {
+  const Values before = std::move(handleGesture->before);
+  recall = std::move(handleGesture->placedBefore);
+  handleGesture.reset();
+  viewStale = true;
+  assign(before);
+}
+
 /// Marks what the pointer rests on, in the lines as they are now.
 void Editor::State::updateHover() {
   std::optional<HandleKey> now;
-  if (hoverAt && !drag && !cameraGesture) {
+  if (hoverAt && !handleGesture && !cameraGesture) {
     if (const auto hit = gripAt(*hoverAt)) now = keyOf(*hit);
   }
   if (now == hovered) return;
@@ -310,7 +334,7 @@ void Editor::State::endCameraPointer(int id) {
 }
 
 void Editor::State::dropGestures() {
-  drag.reset();
+  handleGesture.reset();
   cameraGesture.reset();
 }
 

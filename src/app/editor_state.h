@@ -7,13 +7,12 @@
 #include "app/editor.h"
 #include "app/field_source.h"
 #include "app/handle_animator.h"
+#include "app/handle_gesture.h"
 #include "app/line_animator.h"
 #include "app/orbit_controls.h"
 #include "app/quality_governor.h"
 #include "app/scope_marks.h"
 #include "app/visibility_source.h"
-#include "editing/arc_drag.h"
-#include "editing/handle_drag.h"
 #include "editing/handle_hit.h"
 #include "editing/undo_history.h"
 #include "placement/placer.h"
@@ -38,30 +37,6 @@ struct HandleKey {
 
 /// What a pointer takes hold of, in the layout as drawn: a line's handle, or the end of an arc (an index into others).
 using GripRef = std::variant<HandleRef, std::size_t>;
-
-/// A drag of a handle, of a line or of an arc.
-class ValueDrag {
-public:
-  explicit ValueDrag(HandleDrag drag) : drag_(std::move(drag)) {}
-  explicit ValueDrag(ArcDrag drag) : drag_(std::move(drag)) {}
-
-  [[nodiscard]] std::size_t parameter() const {
-    return std::visit([](const auto& drag) { return drag.parameter(); }, drag_);
-  }
-  [[nodiscard]] const Values& startValues() const {
-    return std::visit([](const auto& drag) -> const Values& { return drag.startValues(); }, drag_);
-  }
-  double valueAt(const Vec2& pointer, const View& view, Snap snap) {
-    return std::visit([&](auto& drag) { return drag.valueAt(pointer, view, snap); }, drag_);
-  }
-  /// Null when it is the other one.
-  [[nodiscard]] HandleDrag* line() { return std::get_if<HandleDrag>(&drag_); }
-  [[nodiscard]] const HandleDrag* line() const { return std::get_if<HandleDrag>(&drag_); }
-  [[nodiscard]] const ArcDrag* arc() const { return std::get_if<ArcDrag>(&drag_); }
-
-private:
-  std::variant<HandleDrag, ArcDrag> drag_;
-};
 
 /// A camera being moved by one pointer, or two fingers.
 struct CameraGesture {
@@ -100,11 +75,7 @@ struct Editor::State {
   bool viewStale = true;        ///< camera, viewport or scene changed since fields were asked for
 
   // --- Gestures ---
-  std::optional<ValueDrag> drag;
-  int dragPointer = 0;
-  PointerKind dragPointerKind = PointerKind::kMouse;
-  Snap dragSnap = Snap::kStep;
-  Placer::Memory beforeDrag;             ///< so that cancelling also puts every line back where it was
+  std::optional<HandleGesture> handleGesture;
   std::optional<Placer::Memory> recall;  ///< to be put back before lines are placed again
   std::optional<CameraGesture> cameraGesture;
   std::optional<PointerInput> hoverAt;
@@ -120,7 +91,8 @@ struct Editor::State {
   double visibilityStaleMs = 0;  ///< since when there was no answer, not even of an earlier view
   bool restedLastFrame = true;
   Placer placer;
-  Layout placed;  ///< as the placer gave it, with the dragged line held
+  Layout placed;  ///< as the placer gave it, with the dragged lines held
+  std::vector<PlacedLine> heldLines;
   Layout drawn;
   LineAnimator animator;
   HandleAnimator handleAnimator;
@@ -149,6 +121,9 @@ struct Editor::State {
   std::vector<OverlayLeader> overlayLeaders;
   std::vector<std::vector<Vec2>> arcPoints;  ///< what overlayArcs point to
   std::vector<DragMark> dragMarks;
+  bool marksToLearn = false;  ///< some ticks of a drag are still to be found out
+  bool marksLearned = false;  ///< some were that are not shown yet
+  double marksShownMs = 0;
   std::vector<OverlayEdge> overlayEdges;
   ScopeMarks scopeMarks;
 
@@ -167,6 +142,8 @@ struct Editor::State {
   [[nodiscard]] const Model& placedModel() const { return measuresShown ? modelWithMeasures : model; }
   [[nodiscard]] const Values& placedValues() const { return measuresShown ? valuesWithMeasures : values; }
 
+  [[nodiscard]] Gesture describe(const HandleHold& hold) const;
+
   // editor_input.cpp
   [[nodiscard]] std::optional<GripRef> gripAt(const PointerInput& input) const;
   [[nodiscard]] HandleKey keyOf(const PlacedLine& line, bool atEnd) const;
@@ -175,13 +152,16 @@ struct Editor::State {
   [[nodiscard]] const PlacedLine* placedLineOf(const HandleKey& key) const;
   [[nodiscard]] const PlacedHandle* placedHandleOf(const HandleKey& key) const;
   void catchUp();
-  bool beginHandleDrag(const PointerInput& input);
+  bool takeHandle(const PointerInput& input);
   std::optional<ValueDrag> takeHold(const HandleKey& key, const Vec2& grabOffset, const View& view) const;
   void beginCameraGesture(const PointerInput& input);
   void addFinger(const PointerInput& input);
-  void moveHandle(const PointerInput& input);
+  void moveHandle(HandleHold& hold, const PointerInput& input);
   void moveCameraGesture();
-  void endHandleDrag();
+  void releaseHandle(int pointer);
+  void withdrawHandle(int pointer);
+  void endHandleGesture();
+  void cancelHandleGesture();
   void endCameraPointer(int id);
   void dropGestures();
   void updateHover();
@@ -207,6 +187,7 @@ struct Editor::State {
   void buildOverlayHandles();
   void buildOverlayMarks();
   void addDragMarks();
+  void learnMarks();
   void markScopes(std::size_t parameter, const View& view, double share);
   void uploadScene();
   [[nodiscard]] bool wantsBetterPicture() const { return renderer && drawnQuality != RenderQuality::kFull; }

@@ -70,32 +70,37 @@ void Editor::State::placeAnew() {
   viewStale = true;
 }
 
-std::optional<Editor::Gesture> Editor::gesture() const {
-  const State& s = *state_;
-  if (!s.drag) return std::nullopt;
+std::vector<Editor::Gesture> Editor::gestures() const {
+  std::vector<Gesture> all;
+  if (!state_->handleGesture) return all;
+  for (const HandleHold& hold : state_->handleGesture->holds) all.push_back(state_->describe(hold));
+  return all;
+}
+
+Editor::Gesture Editor::State::describe(const HandleHold& hold) const {
   Gesture gesture;
-  gesture.parameter = s.drag->parameter();
-  gesture.arc = s.drag->arc() != nullptr;
-  gesture.value = s.values.at(gesture.parameter);
-  const Parameter& parameter = s.model.parameters()[gesture.parameter];
+  gesture.id = hold.pointer;
+  gesture.parameter = hold.drag.parameter();
+  gesture.arc = hold.drag.arc() != nullptr;
+  gesture.value = values.at(gesture.parameter);
+  const Parameter& parameter = model.parameters()[gesture.parameter];
   gesture.text = formatValue(parameter, gesture.value);
-  gesture.difference = differenceText(parameter, s.drag->startValues().at(gesture.parameter), gesture.value);
+  gesture.difference = differenceText(parameter, hold.drag.startValue(), gesture.value);
   if (gesture.value == clampValue(parameter, parameter.max)) gesture.limit = Gesture::Limit::kMax;
   if (gesture.value == clampValue(parameter, parameter.min)) gesture.limit = Gesture::Limit::kMin;
-  gesture.pointer = s.dragPointerKind;
-  gesture.snap = static_cast<DragSnap>(s.dragSnap);
-  for (std::size_t i = 0; i < s.drawn.lines.size(); ++i) {
-    if (!s.drag->line() || !s.lineStates[i].dragged) continue;
-    const Segment2& line = s.drawn.lines[i].lineScreen;
-    const bool atEnd = s.drag->line()->atEnd();
-    gesture.handle = atEnd ? line.end : line.start;
-    const Vec2 outward = atEnd ? line.end - line.start : line.start - line.end;
+  gesture.pointer = hold.kind;
+  gesture.snap = static_cast<DragSnap>(hold.snap);
+  for (const PlacedLine& line : drawn.lines) {
+    if (!hold.drag.isOf(line)) continue;
+    const bool atEnd = hold.drag.line()->atEnd();
+    gesture.handle = atEnd ? line.lineScreen.end : line.lineScreen.start;
+    const Vec2 outward = gesture.handle - (atEnd ? line.lineScreen.start : line.lineScreen.end);
     if (glm::length(outward) > 0) gesture.direction = glm::normalize(outward);
   }
-  for (const PlacedHandle& handle : s.drawn.others) {
-    if (!gesture.arc || handle.parameter != gesture.parameter || !handle.arc) continue;
-    const Vec2 tip = s.drawn.view.toScreen(handle.arc->at(handle.arc->angleRad));
-    const Vec2 onward = s.drawn.view.toScreen(handle.arc->at(handle.arc->angleRad + 0.01)) - tip;
+  for (const PlacedHandle& handle : drawn.others) {
+    if (!hold.drag.isOf(handle) || !handle.arc) continue;
+    const Vec2 tip = drawn.view.toScreen(handle.arc->at(handle.arc->angleRad));
+    const Vec2 onward = drawn.view.toScreen(handle.arc->at(handle.arc->angleRad + 0.01)) - tip;
     gesture.handle = tip;
     if (glm::length(onward) > 0) gesture.direction = glm::normalize(onward);
   }
@@ -121,7 +126,7 @@ void Editor::setHiddenShown(bool shown) {
   s.hiddenShown = shown;
   if (shown && s.loaded && s.hasSize()) {
     s.beforeHidden = {s.placer.memory(), s.values, s.currentView().viewProjection()};
-  } else if (!shown && s.loaded && s.hasSize() && s.beforeHidden.values == s.values && s.beforeHidden.viewProjection == s.currentView().viewProjection() && !s.drag) {
+  } else if (!shown && s.loaded && s.hasSize() && s.beforeHidden.values == s.values && s.beforeHidden.viewProjection == s.currentView().viewProjection() && !s.handleGesture) {
     s.recall = s.beforeHidden.memory;
   }
   s.placer.showHidden(shown);

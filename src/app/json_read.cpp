@@ -13,8 +13,6 @@ namespace {
 
 using nlohmann::json;
 
-constexpr double kRadPerDeg = 0.017453292519943295;
-
 Result<json> parse(std::string_view text, std::string_view what) {
   json parsed = json::parse(text, nullptr, false);
   if (parsed.is_discarded()) return Error{std::string(what) + " is not valid JSON: " + inQuotes(text) + "."};

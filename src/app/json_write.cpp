@@ -4,8 +4,6 @@ namespace dimline {
 
 namespace {
 
-constexpr double kDegPerRad = 57.29577951308232;
-
 bool isNumber(ParameterType type) { return type != ParameterType::kBool && type != ParameterType::kChoice; }
 
 void writePlane(JsonWriter& json, const PlacedLine& line) {

@@ -28,13 +28,13 @@ void LineAnimator::reset() {
 }
 
 void LineAnimator::update(const Layout& placed, std::span<const Scope> scopes, const View& view, double nowMs,
-                          Layout& drawn) {
+                          Layout& drawn, std::span<const PlacedLine> held) {
   const bool animate = !fresh_ && !reducedMotion_;
   if (!animate) {
     tracked_.clear();
     fading_.clear();
   }
-  match(placed, scopes, nowMs, animate, drawn);
+  match(placed, scopes, nowMs, animate, drawn, held);
   fresh_ = false;
   atRest_ = true;
 
@@ -82,7 +82,7 @@ std::optional<std::size_t> LineAnimator::findBefore(const PlacedLine& line, std:
 
 /// Finds each placed line among those of the last frame. What is left of those fades.
 void LineAnimator::match(const Layout& placed, std::span<const Scope> scopes, double nowMs, bool animate,
-                         Layout& drawn) {
+                         Layout& drawn, std::span<const PlacedLine> held) {
   next_.assign(placed.lines.size(), {});
   changed_.assign(placed.lines.size(), true);
   taken_.assign(tracked_.size(), false);
@@ -95,7 +95,8 @@ void LineAnimator::match(const Layout& placed, std::span<const Scope> scopes, do
       next_[i] = tracked_[*found];
       taken_[*found] = true;
       hint = *found + 1;
-      changed_[i] = !exactly || glm::length(offsetPx(placed.lines[i]) - next_[i].offsetPx) > kJumpPx;
+      const bool inHand = exactly && std::ranges::find(held, placed.lines[i].identity, &PlacedLine::identity) != held.end();
+      changed_[i] = !exactly || (!inHand && glm::length(offsetPx(placed.lines[i]) - next_[i].offsetPx) > kJumpPx);
     }
   }
   for (std::size_t i = 0; i < placed.lines.size(); ++i) {

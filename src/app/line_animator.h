@@ -24,8 +24,8 @@ public:
   /// One frame. `placed` is what the placer gave, perhaps for a slightly older view; `drawn` is what this function
   /// filled in the last frame, and becomes what `view` shows now; `scopes` are the scene's. Where nothing moves and
   /// `view` is the placer's, it is an exact copy of `placed`. `drawn.others` is left to HandleAnimator. Time must not run
-  /// backwards.
-  void update(const Layout& placed, std::span<const Scope> scopes, const View& view, double nowMs, Layout& drawn);
+  /// backwards. `held`: those of the placed lines that are being dragged, which never set out to glide, wherever their base lines go.
+  void update(const Layout& placed, std::span<const Scope> scopes, const View& view, double nowMs, Layout& drawn, std::span<const PlacedLine> held = {});
 
   /// Nothing glides or fades.
   [[nodiscard]] bool atRest() const { return atRest_; }
@@ -52,7 +52,7 @@ private:
     double startOpacity = 1;
   };
 
-  void match(const Layout& placed, std::span<const Scope> scopes, double nowMs, bool animate, Layout& drawn);
+  void match(const Layout& placed, std::span<const Scope> scopes, double nowMs, bool animate, Layout& drawn, std::span<const PlacedLine> held);
   [[nodiscard]] std::optional<std::size_t> findBefore(const PlacedLine& line, std::uint32_t scopeIndex,
                                                       std::size_t hint, bool exactly) const;
   bool drawLine(const PlacedLine& placed, const View& view, bool sameView, double nowMs, Tracked& tracked,

@@ -1,4 +1,3 @@
-#include <cmath>
 #include <optional>
 #include <string>
 #include <utility>
@@ -10,6 +9,7 @@
 
 #include "app/editor.h"
 #include "app/json.h"
+#include "app/json_overlay.h"
 #include "core/text.h"
 #include "gltf/gltf_reader.h"
 #include "models/models.h"
@@ -40,8 +40,6 @@ constexpr std::string_view kStandardViews[] = {"three-quarter", "front", "back",
 constexpr std::string_view kFieldsFrom[] = {"auto", "cpu", "gpu"};
 constexpr std::string_view kPointerKinds[] = {"mouse", "touch", "pen"};
 constexpr std::string_view kPointerTargets[] = {"", "handle", "camera"};
-constexpr std::string_view kLimits[] = {"", "min", "max"};
-constexpr std::string_view kSnaps[] = {"step", "fine", "none"};
 constexpr std::string_view kEvents[] = {"input", "change", "camera-change", "load"};
 
 template <typename Enum>
@@ -84,12 +82,6 @@ std::string modelsJson() {
   }
   return json.endArray().take();
 }
-
-/// A hundredth of a pixel: what the DOM can use, in few digits.
-double roundedPx(double px) { return std::round(px * 100.0) / 100.0; }
-Vec2 roundedPx(const Vec2& px) { return {roundedPx(px.x), roundedPx(px.y)}; }
-Box2 roundedPx(const Box2& box) { return {roundedPx(box.min), roundedPx(box.max)}; }
-double roundedShare(double share) { return std::round(share * 1000.0) / 1000.0; }
 
 class EditorBinding {
 public:
@@ -170,17 +162,7 @@ public:
     return {};
   }
 
-  [[nodiscard]] std::string measuresJson() const {
-    JsonWriter json;
-    json.beginArray();
-    for (const Editor::MeasureReading& measure : editor_.measures()) {
-      json.beginObject();
-      json.key("name").value(measure.shown->name).key("title").value(measure.shown->title).key("help").value(measure.shown->help);
-      json.key("unit").value(name(measure.shown->unit)).key("value").value(measure.value).key("text").value(measure.text);
-      json.endObject();
-    }
-    return json.endArray().take();
-  }
+  [[nodiscard]] std::string measuresJson() const { return written(writeMeasures); }
   void setMeasuresShown(bool shown) { editor_.setMeasuresShown(shown); }
   [[nodiscard]] bool measuresShown() const { return editor_.measuresShown(); }
 
@@ -232,22 +214,7 @@ public:
   void endHover() { editor_.endHover(); }
   void cancelGesture() { editor_.cancelGesture(); }
   void cancelPointer(int id) { editor_.cancelPointer(id); }
-  [[nodiscard]] std::string gestureJson() const {
-    const auto gesture = editor_.gesture();
-    if (!gesture) return "null";
-    const Parameter& parameter = editor_.model().parameters()[gesture->parameter];
-    JsonWriter json;
-    json.beginObject();
-    json.key("parameter").value(parameter.name).key("kind").value(gesture->arc ? "arc" : "line");
-    json.key("value");
-    writeValue(json, parameter, gesture->value);
-    json.key("text").value(gesture->text).key("difference").value(gesture->difference);
-    json.key("limit");
-    gesture->limit == Editor::Gesture::Limit::kNone ? json.null() : json.value(nameIn(kLimits, gesture->limit));
-    json.key("handle").value(roundedPx(gesture->handle)).key("direction").value(gesture->direction);
-    json.key("pointer").value(nameIn(kPointerKinds, gesture->pointer)).key("snap").value(nameIn(kSnaps, gesture->snap));
-    return json.endObject().take();
-  }
+  [[nodiscard]] std::string gesturesJson() const { return written(writeGestures); }
   /// Empty when nothing is there.
   [[nodiscard]] std::string handleAt(double x, double y, const std::string& kind) const {
     const auto at = editor_.parameterAt({x, y}, static_cast<PointerKind>(indexOf(kind, kPointerKinds).value_or(0)));
@@ -294,40 +261,8 @@ public:
     return json.take();
   }
 
-  [[nodiscard]] std::string labelsJson() const {
-    JsonWriter json;
-    json.beginArray();
-    const Layout& layout = editor_.layout();
-    const auto states = editor_.lineStates();
-    for (std::size_t i = 0; i < layout.lines.size(); ++i) {
-      const PlacedLine& line = layout.lines[i];
-      writeLabel(json, line, line.label ? &*line.label : nullptr, states[i], false);
-    }
-    for (std::size_t i = 0; i < layout.others.size(); ++i) {
-      const PlacedHandle& handle = layout.others[i];
-      if (handle.arc) writeLabel(json, handle, &handle.box, editor_.otherStates()[i], false);
-    }
-    for (const Editor::FadingLine& fading : editor_.fadingLines()) {
-      writeLabel(json, fading.line, fading.line.label ? &*fading.line.label : nullptr, {fading.opacity}, true);
-    }
-    for (const Editor::FadingHandle& fading : editor_.fadingHandles()) {
-      if (fading.handle.arc) writeLabel(json, fading.handle, &fading.handle.box, {fading.opacity}, true);
-    }
-    return json.endArray().take();
-  }
-
-  [[nodiscard]] std::string pillsJson() const {
-    JsonWriter json;
-    json.beginArray();
-    const Layout& layout = editor_.layout();
-    for (std::size_t i = 0; i < layout.others.size(); ++i) {
-      if (!layout.others[i].arc) writePill(json, layout.others[i], editor_.otherStates()[i].opacity, false);
-    }
-    for (const Editor::FadingHandle& fading : editor_.fadingHandles()) {
-      if (!fading.handle.arc) writePill(json, fading.handle, fading.opacity, true);
-    }
-    return json.endArray().take();
-  }
+  [[nodiscard]] std::string labelsJson() const { return written(writeLabels); }
+  [[nodiscard]] std::string pillsJson() const { return written(writePills); }
 
   std::string eventsJson() {
     JsonWriter json;
@@ -373,68 +308,15 @@ public:
   }
 
 private:
+  [[nodiscard]] std::string written(void (*write)(JsonWriter&, const Editor&)) const {
+    JsonWriter json;
+    write(json, editor_);
+    return json.take();
+  }
+
   /// Several editors can live in one module, each with a context of its own.
   void makeCurrent() const {
     if (context_ != 0) emscripten_webgl_make_context_current(context_);
-  }
-
-  /// A line's label or an arc's; `box`: null when it has no room.
-  template <typename Placed>
-  void writeLabel(JsonWriter& json, const Placed& placed, const Box2* box, const Editor::LineState& state,
-                  bool fading) const {
-    const auto parameters = editor_.placedModel().parameters();
-    if (placed.parameter >= parameters.size()) return;  // a measure that fades since measures are shown no more
-    std::string id = identityText(placed.identity, parameters);
-    // A line on its way out must not be taken for one that comes back in its place.
-    if (fading) id += "~";
-    json.beginObject();
-    json.key("id").value(id);
-    json.key("parameter").value(placed.parameter);
-    json.key("name").value(parameters[placed.parameter].name);
-    json.key("text").value(placed.text);
-    json.key("box");
-    if (box != nullptr) {
-      json.value(roundedPx(*box));
-    } else {
-      json.null();
-    }
-    json.key("opacity").value(roundedShare(state.opacity));
-    json.key("hovered").value(state.hovered);
-    json.key("dragged").value(state.dragged);
-    json.key("measure").value(parameters[placed.parameter].measure);
-    json.key("limit");
-    const auto gesture = state.dragged ? editor_.gesture() : std::nullopt;
-    gesture && gesture->limit != Editor::Gesture::Limit::kNone ? json.value(nameIn(kLimits, gesture->limit)) : json.null();
-    json.key("handles").beginArray();
-    if (!fading) {
-      for (const Handle& handle : placed.handles) {
-        json.beginObject();
-        json.key("end").value(handle.atEnd ? "end" : "start").key("screen").value(roundedPx(handle.screen));
-        json.endObject();
-      }
-    }
-    json.endArray();
-    json.endObject();
-  }
-
-  void writePill(JsonWriter& json, const PlacedHandle& handle, double opacity, bool fading) const {
-    const Parameter& parameter = editor_.model().parameters()[handle.parameter];
-    json.beginObject();
-    json.key("parameter").value(handle.parameter);
-    json.key("name").value(parameter.name);
-    json.key("fading").value(fading);
-    json.key("value");
-    writeValue(json, parameter, handle.value);
-    json.key("box").value(roundedPx(handle.box));
-    json.key("opacity").value(roundedShare(opacity));
-    json.key("options").beginArray();
-    for (const RangeOption& option : handle.options) {
-      json.beginObject().key("value");
-      writeValue(json, parameter, option.value);
-      json.key("box").value(roundedPx(option.box)).endObject();
-    }
-    json.endArray();
-    json.endObject();
   }
 
   static Error unknownParameter(std::string_view name) { return Error{"There is no parameter " + inQuotes(name) + "."}; }
@@ -478,7 +360,7 @@ EMSCRIPTEN_BINDINGS(dimline) {
       .function("pointerDown", &EditorBinding::pointerDown)
       .function("pointerMove", &EditorBinding::pointerMove)
       .function("pointerUp", &EditorBinding::pointerUp)
-      .function("gestureJson", &EditorBinding::gestureJson)
+      .function("gesturesJson", &EditorBinding::gesturesJson)
       .function("handleAt", &EditorBinding::handleAt)
       .function("hover", &EditorBinding::hover)
       .function("endHover", &EditorBinding::endHover)

@@ -15,7 +15,6 @@ namespace dimline {
 
 namespace {
 
-constexpr double kRadPerDeg = 3.14159265358979323846 / 180.0;
 constexpr int kRoundFrames = 90;
 constexpr int kZoomFrames = 75;
 constexpr double kZoomStep = 0.97;

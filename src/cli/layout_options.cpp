@@ -7,8 +7,6 @@ namespace dimline {
 
 namespace {
 
-constexpr double kRadPerDeg = 0.017453292519943295;
-
 constexpr OptionRule kRules[] = {{"--set", OptionRule::Kind::kRepeatable, "NAME=VALUE"},
                                  {"--cameras", OptionRule::Kind::kValue, "CAMS.json"},
                                  {"--eye", OptionRule::Kind::kValue, "x,y,z"},

@@ -15,8 +15,6 @@ namespace dimline {
 
 namespace {
 
-constexpr double kRadPerDeg = 0.017453292519943295;
-
 /// px. Less movement of the handle than this is none; nobody sees it.
 constexpr double kTolerancePx = 0.25;
 

@@ -20,6 +20,15 @@ double tickStride(double stepPx) {
   return 0;
 }
 
+std::optional<TickGrid> tickGrid(const Parameter& snapped, double stepPx) {
+  if (!(snapped.step > 0)) return std::nullopt;
+  const double stride = tickStride(stepPx);
+  if (!(stride > 0)) return std::nullopt;
+  const double fromZero = snapped.min / snapped.step;
+  const bool onZero = std::abs(fromZero - std::round(fromZero)) < 1e-6;
+  return TickGrid{onZero ? 0.0 : snapped.min, stride * snapped.step};
+}
+
 double halfLengthPx(DragMark::Kind kind) {
   switch (kind) {
     case DragMark::Kind::kTick:

@@ -40,34 +40,45 @@ double tickStride(double stepPx);
 /// Half the length of each sort of bar (px).
 double halfLengthPx(DragMark::Kind kind);
 
+/// How strong a tick is at a distance (px) from the handle; not above 0 where there is none.
+inline double tickStrength(double distancePx) { return 1.0 - distancePx / kTickReachPx; }
+
+/// No more ticks than this on either side of the handle.
+inline constexpr int kMostTicks = 40;
+
+/// The values at which ticks may stand, by a whole number: multiples of a stride of steps, round ones where the range begins on a step from zero.
+struct TickGrid {
+  double origin = 0;
+  double step = 0;
+  [[nodiscard]] double at(double n) const { return origin + n * step; }
+  [[nodiscard]] double nearest(double value) const { return std::round((value - origin) / step); }
+};
+
+/// The grid of a parameter as snappedBy() has it, whose steps are so far apart on screen. Nothing for one without steps, or when no stride will do.
+std::optional<TickGrid> tickGrid(const Parameter& snapped, double stepPx);
+
 /// Adds ticks on both sides of the handle, at the values that a drag of `snapped` (snappedBy()) can stop at; only round ones where all would be too close.
 /// `placeOf(value)`: where the dragged end is then on screen, or nothing; called some hundred times.
 template <typename PlaceOf>
 void addTicks(const Parameter& snapped, double value, PlaceOf placeOf, std::vector<DragMark>& marks) {
   const std::optional<Vec2> handle = placeOf(value);
-  if (!handle || !(snapped.step > 0)) return;
+  if (!handle) return;
   // Which way and how far one step goes here, by a step towards the side that has room.
   const double sense = value + snapped.step <= snapped.max ? 1.0 : -1.0;
   const std::optional<Vec2> next = placeOf(value + sense * snapped.step);
   if (!next) return;
-  const double stepPx = glm::length(*next - *handle);
-  const double stride = tickStride(stepPx);
-  if (!(stride > 0)) return;
-  const double tickStep = stride * snapped.step;
-  // Steps are counted from the least value; where that is on a step from zero, ticks stand at round values.
-  const double fromZero = snapped.min / snapped.step;
-  const double origin = std::abs(fromZero - std::round(fromZero)) < 1e-6 ? 0.0 : snapped.min;
-  const double nearest = std::round((value - origin) / tickStep);
-  constexpr double kMostTicks = 40;
-  for (double n = -kMostTicks; n <= kMostTicks; ++n) {
-    const double at = origin + (nearest + n) * tickStep;
-    if (at < snapped.min - 1e-9 * tickStep || at > snapped.max + 1e-9 * tickStep) continue;
+  const auto grid = tickGrid(snapped, glm::length(*next - *handle));
+  if (!grid) return;
+  const double nearest = grid->nearest(value);
+  for (double n = nearest - kMostTicks; n <= nearest + kMostTicks; ++n) {
+    const double at = grid->at(n);
+    if (at < snapped.min - 1e-9 * grid->step || at > snapped.max + 1e-9 * grid->step) continue;
     const std::optional<Vec2> place = placeOf(at);
-    const std::optional<Vec2> beside = placeOf(at + sense * 0.01 * tickStep);
+    const std::optional<Vec2> beside = placeOf(at + sense * 0.01 * grid->step);
     if (!place || !beside || !(glm::length(*beside - *place) > 0)) continue;
-    const double strength = 1.0 - glm::length(*place - *handle) / kTickReachPx;
+    const double strength = tickStrength(glm::length(*place - *handle));
     if (!(strength > 0)) continue;
-    const auto kind = std::fmod(std::abs(nearest + n), 5.0) == 0.0 ? DragMark::Kind::kLongTick : DragMark::Kind::kTick;
+    const auto kind = std::fmod(std::abs(n), 5.0) == 0.0 ? DragMark::Kind::kLongTick : DragMark::Kind::kTick;
     marks.push_back({kind, barAcross(*place, glm::normalize(*beside - *place), halfLengthPx(kind)), strength});
   }
 }

@@ -1,6 +1,7 @@
 #include "editing/handle_drag.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "placement/base_lines.h"
@@ -40,6 +41,9 @@ ScreenMotion screenMotion(const View& view, const Vec3& start, const Vec3& direc
 
 /// px. An end that has moved by less is where it was.
 constexpr double kMovedPx = 1.0;
+
+/// px. Under perspective ticks come nearer to each other with the distance; so near that they would be one stroke, one does for both.
+constexpr double kLeastTickGapPx = 2.5;
 
 /// The parts of the old line that reach beyond the present one, and bars where ends were that have moved.
 void addGhost(const Segment2& old, const Segment2& now, const Vec2& along, std::vector<DragMark>& marks) {
@@ -126,6 +130,28 @@ double HandleDrag::valueAt(const Vec2& pointer, const View& view, Snap snap) {
   return lastValue_;
 }
 
+double HandleDrag::valueAmong(const Values& others, const Vec2& pointer, const View& view, Snap snap) {
+  const double alone = valueAt(pointer, view, snap);
+  Values changed = others;
+  const double startValue = startValues_.at(line_.parameter);
+  changed.set(line_.parameter, startValue);
+  const Vec2 screen = pointer - grabOffset_;
+  if (changed == startValues_ || !std::isfinite(screen.x) || !std::isfinite(screen.y)) return alone;
+  // Most parameters leave each other's lines where they are.
+  const auto was = search(snap).endAt(alone, [this](double value) { return endAt(value); });
+  const auto is = endIn(changed, alone);
+  if (was && is && std::abs(*is - *was) <= toleranceM_) return alone;
+  // Here it is another rule, which starts where the value of the start ends by now.
+  const double fromM = endIn(changed, startValue).value_or(0.0);
+  const Parameter& parameter = model_->parameters()[line_.parameter];
+  ValueSearch among(snappedBy(parameter, snap), startValue, expectedSlope(parameter, line_, startValue, atEnd_), toleranceM_);
+  lastValue_ = among.find(targetM(screen, view) - fromM, [&](double value) -> std::optional<double> {
+    const auto end = endIn(changed, value);
+    return end ? std::optional(*end - fromM) : std::nullopt;
+  });
+  return lastValue_;
+}
+
 /// Where on the carrier (m from the dragged end's start) a point of the screen lies, by its position along the
 /// carrier's direction on screen. Past the carrier's vanishing point, endlessly far.
 double HandleDrag::targetM(const Vec2& screen, const View& view) const {
@@ -141,9 +167,9 @@ double HandleDrag::targetM(const Vec2& screen, const View& view) const {
   return numerator / denominator;
 }
 
-/// Where the dragged end goes (m along the carrier) when the parameter has that value.
-std::optional<double> HandleDrag::endAt(double value) const {
-  Values values = startValues_;
+/// Where the dragged end goes (m along the carrier) when the parameter has that value and the others those.
+std::optional<double> HandleDrag::endIn(const Values& others, double value) const {
+  Values values = others;
   values.set(line_.parameter, value);
   const auto tracked = track(model_->definition.build(values));
   if (!tracked) return std::nullopt;
@@ -199,44 +225,95 @@ Segment HandleDrag::keptInPlace(const Segment& base) const {
   return atEnd_ ? Segment{line_.base.start, line_.base.start + along} : Segment{line_.base.end - along, line_.base.end};
 }
 
-void HandleDrag::addMarks(double value, const Segment2& now, const View& view, Snap snap, std::vector<DragMark>& marks) {
+struct HandleDrag::Nearby {
+  struct Place {
+    double number = 0;   ///< on the grid
+    Vec2 at{0.0};
+  };
+  std::optional<Vec2> min, max;   ///< the range's ends, where they are in the picture
+  std::vector<Place> ticks;       ///< in the order of their values
+  bool shared = false;            ///< several values end at one place
+  bool learned = false;           ///< one value was tried, and the rest is not yet here
+};
+
+HandleDrag::Nearby HandleDrag::lookNearby(double value, const PlacedLine& now, const View& view, Snap snap, bool learn) {
+  Nearby nearby;
   const Parameter parameter = snappedBy(model_->parameters()[line_.parameter], snap);
   const Reach reach = [this](double at) { return endAt(at); };
   ValueSearch& tried = search(snap);
-  const auto slope = tried.straightSlope(reach);
-  const double startValue = startValues_.at(line_.parameter);
-  const auto screenAt = [&](double endM) -> std::optional<Vec2> {
-    const Vec3 place = endOf(line_.line) + direction_ * endM;
-    if (!view.inFrontOfNear(place)) return std::nullopt;
-    return view.toScreen(place);
+  const auto straight = tried.straightSlope(reach);
+  const double endNowM = straight ? 0.0 : tried.endAt(value, reach).value_or(0.0);
+  const Vec3 tip = endOf(now.line);
+  if (!view.inFrontOfNear(tip)) return nearby;
+  const Vec2 handle = view.toScreen(tip);
+  const auto placeAtM = [&](double endM) -> std::optional<Vec2> {
+    const Vec3 place = tip + direction_ * (endM - endNowM);
+    return view.inFrontOfNear(place) ? std::optional(view.toScreen(place)) : std::nullopt;
   };
+  // Nothing for a value that is not known yet, and then, or when it has no end, no place.
+  const auto placeOf = [&](double at) -> std::optional<std::optional<Vec2>> {
+    if (straight) return placeAtM(*straight * (at - value));
+    if (!tried.knows(at)) {
+      if (!learn || nearby.learned) return std::nullopt;
+      nearby.learned = true;
+    }
+    const auto endM = tried.endAt(at, reach);
+    return endM ? placeAtM(*endM) : std::nullopt;
+  };
+  const auto inPicture = [&](double at) -> std::optional<Vec2> {
+    const auto place = placeOf(at).value_or(std::nullopt);
+    return place && view.viewport().overlaps({*place, *place}) ? place : std::nullopt;
+  };
+  nearby.min = inPicture(parameter.min);
+  nearby.max = inPicture(parameter.max);
+
+  const auto grid = tickGrid(parameter, std::abs(tried.slope()) * parameter.step * screenMotion(view, tip, direction_).pxPerM);
+  if (!grid) return nearby;
+  const double nearest = grid->nearest(value);
+  std::array<bool, 2> open{true, true};   // downwards and upwards
+  for (int i = 0; i <= kMostTicks && (open[0] || open[1]); ++i) {
+    for (const std::size_t up : {1U, 0U}) {
+      if (!open[up] || (i == 0 && up == 0)) continue;
+      const double n = nearest + (up != 0 ? i : -i);
+      const double at = grid->at(n);
+      const bool outside = at < parameter.min - 1e-9 * grid->step || at > parameter.max + 1e-9 * grid->step;
+      if (outside && i == 0) continue;   // off the steps, beside a limit
+      const auto place = outside ? std::nullopt : placeOf(snapValue(parameter, at));
+      open[up] = place && (!*place || tickStrength(glm::length(**place - handle)) > 0);
+      if (open[up] && *place) nearby.ticks.push_back({n, **place});
+    }
+  }
+  std::ranges::sort(nearby.ticks, {}, &Nearby::Place::number);
+  for (std::size_t i = 1; i < nearby.ticks.size() && !straight; ++i) {
+    if (glm::length(nearby.ticks[i].at - nearby.ticks[i - 1].at) < kMovedPx) nearby.shared = true;
+  }
+  return nearby;
+}
+
+bool HandleDrag::learnNearby(double value, const PlacedLine& now, const View& view, Snap snap) {
+  return lookNearby(value, now, view, snap, true).learned;
+}
+
+void HandleDrag::addMarks(double value, const PlacedLine& now, const View& view, Snap snap, std::vector<DragMark>& marks) {
   const Segment2 old = view.toScreen(line_.line);
   const Vec2 along = glm::normalize(old.end - old.start);
+  if (value != startValues_.at(line_.parameter)) addGhost(old, now.lineScreen, along, marks);
 
-  if (value != startValue) addGhost(old, now, along, marks);
-  const auto addLimit = [&](double limit, std::optional<double> endM) {
-    const auto at = endM ? screenAt(*endM) : std::nullopt;
-    if (!at || !view.viewport().overlaps({*at, *at})) return;
-    const auto kind = value == limit ? DragMark::Kind::kLimitReached : DragMark::Kind::kLimit;
-    marks.push_back({kind, barAcross(*at, along, halfLengthPx(kind))});
-  };
-  if (slope) {
-    const auto placeOf = [&](double at) { return screenAt(*slope * (at - startValue)); };
-    addTicks(parameter, value, placeOf, marks);
-    for (const double limit : {parameter.min, parameter.max}) addLimit(limit, *slope * (limit - startValue));
-    return;
-  }
-  // Ends that were met on the way, each once.
-  const auto end = std::ranges::find(tried.known(), value, &std::pair<double, std::optional<double>>::first);
-  const auto handle = screenAt(value == startValue ? 0.0 : end != tried.known().end() ? end->second.value_or(0.0) : endAt(value).value_or(0.0));
+  const Nearby nearby = lookNearby(value, now, view, snap, false);
+  const Vec2 handle = atEnd_ ? now.lineScreen.end : now.lineScreen.start;
   std::optional<Vec2> last;
-  for (const auto& [at, endM] : tried.known()) {
-    if (at == parameter.min || at == parameter.max) addLimit(at, endM);
-    const auto place = endM ? screenAt(*endM) : std::nullopt;
-    if (!place || !handle || (last && glm::length(*place - *last) < kTickGapPx)) continue;
-    last = place;
-    const double strength = 1.0 - glm::length(*place - *handle) / kTickReachPx;
-    if (strength > 0) marks.push_back({DragMark::Kind::kTick, barAcross(*place, along, halfLengthPx(DragMark::Kind::kTick)), strength});
+  for (const Nearby::Place& tick : nearby.ticks) {
+    if (last && glm::length(tick.at - *last) < kLeastTickGapPx) continue;
+    last = tick.at;
+    // Where values share places none of them is the fifth of anything.
+    const auto kind = !nearby.shared && std::fmod(std::abs(tick.number), 5.0) == 0.0 ? DragMark::Kind::kLongTick : DragMark::Kind::kTick;
+    marks.push_back({kind, barAcross(tick.at, along, halfLengthPx(kind)), tickStrength(glm::length(tick.at - handle))});
+  }
+  const Parameter& parameter = model_->parameters()[line_.parameter];
+  for (const auto& [place, limit] : {std::pair{nearby.min, parameter.min}, std::pair{nearby.max, parameter.max}}) {
+    if (!place) continue;
+    const auto kind = value == limit ? DragMark::Kind::kLimitReached : DragMark::Kind::kLimit;
+    marks.push_back({kind, barAcross(*place, along, halfLengthPx(kind))});
   }
 }
 

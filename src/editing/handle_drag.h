@@ -45,14 +45,21 @@ public:
   /// begin(); the viewport may have changed.
   double valueAt(const Vec2& pointer, const View& view, Snap snap = Snap::kStep);
 
+  /// The same while other parameters are not as they were at the start, as when they are dragged too: the end comes to the pointer in the model with their
+  /// values in `others`. What `others` says of this parameter does not matter.
+  double valueAmong(const Values& others, const Vec2& pointer, const View& view, Snap snap = Snap::kStep);
+
   /// The dragged line on a rebuilt scene, in the world and as `view` shows it. Nothing when the model has no such scope
   /// any more or the line cannot be projected.
   [[nodiscard]] std::optional<PlacedLine> lineOn(const Scene& scene, const Values& values, const View& view) const;
 
-  /// Adds what is shown beside the line while it has this value and lies at `now` on screen: the old extent, as far as it reaches beyond, the values that
-  /// come next, the ends of the range. Where the rule is rounded or bent, of the values only those are known that were tried. `view`: of the same camera as
-  /// begin()'s.
-  void addMarks(double value, const Segment2& now, const View& view, Snap snap, std::vector<DragMark>& marks);
+  /// Adds what is shown beside the line while it has this value and is drawn as `now`: the old extent, as far as it reaches beyond, the values that come
+  /// next, the ends of the range. Where the rule is rounded or bent, only as far as learnNearby() has found them out. `view`: of the same camera as begin()'s.
+  void addMarks(double value, const PlacedLine& now, const View& view, Snap snap, std::vector<DragMark>& marks);
+
+  /// Finds out where one more of the values ends that addMarks() shows, the nearest first: one evaluation of the model. False when all are known, as where
+  /// ends are in proportion to values. What was found is kept as long as the drag lasts.
+  bool learnNearby(double value, const PlacedLine& now, const View& view, Snap snap);
 
   /// How often the model was evaluated so far.
   [[nodiscard]] int evaluations() const;
@@ -71,7 +78,11 @@ private:
   [[nodiscard]] std::size_t countScopes(const Scene& scene) const;
   [[nodiscard]] std::optional<Tracked> track(const Scene& scene) const;
   [[nodiscard]] Segment keptInPlace(const Segment& base) const;
-  [[nodiscard]] std::optional<double> endAt(double value) const;
+  [[nodiscard]] std::optional<double> endAt(double value) const { return endIn(startValues_, value); }
+  [[nodiscard]] std::optional<double> endIn(const Values& others, double value) const;
+  /// The ends of values as the marks need them: without trying any that is not known, or trying the first that is not.
+  struct Nearby;
+  Nearby lookNearby(double value, const PlacedLine& now, const View& view, Snap snap, bool learn);
   [[nodiscard]] double targetM(const Vec2& screen, const View& view) const;
   [[nodiscard]] const Vec3& endOf(const Segment& segment) const { return atEnd_ ? segment.end : segment.start; }
 

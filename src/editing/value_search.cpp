@@ -59,7 +59,7 @@ double ValueSearch::find(double targetM, const Reach& reach) {
   double validStep = startStep;
   for (int round = 0; round < kMaxTries; ++round) {
     const double value = valueOfStep(step);
-    const auto end = tryValue(value, reach);
+    const auto end = endAt(value, reach);
     if (!end) {
       // No line there: half way back to where there is one.
       const double back = std::trunc(0.5 * (step + validStep));
@@ -87,9 +87,9 @@ double ValueSearch::find(double targetM, const Reach& reach) {
 /// the nearest to that.
 double ValueSearch::settled(double value, double targetM, const Reach& reach) {
   if (straight_ || value == startValue_) return value;
-  const double endM = tryValue(value, reach).value_or(0.0);
+  const double endM = endAt(value, reach).value_or(0.0);
   const auto endsThere = [&](double other) {
-    const auto end = tryValue(other, reach);
+    const auto end = endAt(other, reach);
     return end && std::abs(*end - endM) <= 1e-3 * toleranceM_;
   };
   // Whoever pulls further than a limit means the limit.
@@ -139,13 +139,13 @@ void ValueSearch::measureSlope(const Reach& reach) {
   for (const double sense : {towardsRoom, -towardsRoom}) {
     const double probe = snapValue(parameter_, startValue_ + sense * width);
     if (probe == startValue_) continue;
-    const auto end = tryValue(probe, reach);
+    const auto end = endAt(probe, reach);
     if (!end) continue;
     const double slope = *end / (probe - startValue_);
     if (std::abs(slope) < 1e-3 * std::abs(expected) || !std::isfinite(slope)) continue;
     slope_ = slope;
     const double between = snapValue(parameter_, startValue_ + kBetweenShare * sense * width);
-    if (const auto at = tryValue(between, reach)) straight_ = std::abs(*at - slope * (between - startValue_)) <= toleranceM_;
+    if (const auto at = endAt(between, reach)) straight_ = std::abs(*at - slope * (between - startValue_)) <= toleranceM_;
     break;
   }
   chooseStep();
@@ -154,7 +154,7 @@ void ValueSearch::measureSlope(const Reach& reach) {
 std::optional<double> ValueSearch::straightSlope(const Reach& reach) {
   if (!(max_ > min_)) return std::nullopt;
   if (!measured_) measureSlope(reach);
-  return straight_ ? std::optional(slope_) : std::nullopt;
+  return straight_ && !bendSeen_ ? std::optional(slope_) : std::nullopt;
 }
 
 void ValueSearch::chooseStep() {
@@ -174,12 +174,18 @@ double ValueSearch::valueOfStep(double step) const {
   return snapValue(parameter_, min_ + step * stepSize_);
 }
 
-std::optional<double> ValueSearch::tryValue(double value, const Reach& reach) {
+bool ValueSearch::knows(double value) const {
+  const auto place = std::ranges::lower_bound(known_, value, {}, [](const auto& entry) { return entry.first; });
+  return place != known_.end() && place->first == value;
+}
+
+std::optional<double> ValueSearch::endAt(double value, const Reach& reach) {
   const auto place = std::ranges::lower_bound(known_, value, {}, [](const auto& entry) { return entry.first; });
   if (place != known_.end() && place->first == value) return place->second;
   std::optional<double> end = reach(value);
   ++evaluations_;
   if (end && !std::isfinite(*end)) end.reset();
+  if (straight_ && (!end || std::abs(*end - slope_ * (value - startValue_)) > toleranceM_)) bendSeen_ = true;
   if (known_.size() >= kMaxKnown) {
     known_.clear();
     known_.emplace_back(value, end);

@@ -2,7 +2,6 @@
 
 #include <functional>
 #include <optional>
-#include <span>
 #include <utility>
 #include <vector>
 
@@ -37,8 +36,13 @@ public:
   /// nothing where the rule is rounded or bent.
   std::optional<double> straightSlope(const Reach& reach);
 
-  /// The values that were tried so far, in ascending order, and where they end.
-  [[nodiscard]] std::span<const std::pair<double, std::optional<double>>> known() const { return known_; }
+  /// Metres that the end moves when the value grows by one, hereabouts and on average: as expected until straightSlope() or find() has measured it.
+  [[nodiscard]] double slope() const { return slope_; }
+
+  /// Where a value ends: as `reach` has it, which is asked once for each value.
+  std::optional<double> endAt(double value, const Reach& reach);
+  /// Whether endAt() has the answer without asking.
+  [[nodiscard]] bool knows(double value) const;
 
   /// How often `reach` was called so far.
   [[nodiscard]] int evaluations() const { return evaluations_; }
@@ -57,7 +61,6 @@ private:
   void chooseStep();
   double settled(double value, double targetM, const Reach& reach);
   [[nodiscard]] double valueOfStep(double step) const;
-  std::optional<double> tryValue(double value, const Reach& reach);
   [[nodiscard]] std::optional<double> nextStep(const Bracket& bracket, int round) const;
 
   Parameter parameter_;
@@ -69,7 +72,8 @@ private:
   double stepSize_ = 0;
   double lastStep_ = 0;  ///< number of the step at max_
   bool measured_ = false;
-  bool straight_ = false;  ///< the end moves in proportion to the value, as far as was seen
+  bool straight_ = false;  ///< the end moves in proportion to the value, as far as the first tries told
+  bool bendSeen_ = false;  ///< later ones told otherwise
   int evaluations_ = 0;
   std::vector<std::pair<double, std::optional<double>>> known_;  ///< value and where it ends, sorted by value
 };

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/text.h"
+#include "math/types.h"
 
 // A text is cut into tokens first (numbers, units, signs), so that 10' 6 1/2" can be recognised by looking a few tokens ahead; then read by recursive descent.
 // Every quantity carries what it measures. A bare number measures nothing until it meets something that does, or the end: then it is in the parameter's unit.
@@ -17,7 +18,6 @@ namespace dimline {
 
 namespace {
 
-constexpr double kDegPerRad = 57.29577951308232;
 constexpr std::size_t kLongestText = 200;
 constexpr int kDeepestNesting = 32;
 

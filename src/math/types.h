@@ -15,4 +15,7 @@ using Vec4 = glm::dvec4;
 using Mat3 = glm::dmat3;
 using Mat4 = glm::dmat4;
 
+inline constexpr double kRadPerDeg = 0.017453292519943295;
+inline constexpr double kDegPerRad = 57.29577951308232;
+
 }  // namespace dimline

@@ -11,7 +11,6 @@ namespace dimline {
 
 namespace {
 
-constexpr double kRadPerDeg = 0.017453292519943295;
 constexpr std::size_t kArcSamples = 16;
 
 /// How far beyond the least shift a pill looks for room, and in how many rings of its height around its anchor when it stays inside. Fewer: it is hidden as

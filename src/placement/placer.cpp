@@ -100,7 +100,7 @@ struct Placer::State {
   std::vector<PlacedHandle> spareHandles;
 
   bool beginFrame(const View& view);
-  bool placeAll(const View& view, const DistanceFields& fields, const Values& values, std::size_t crowded, bool viewMoved, const PlacedLine* held,
+  bool placeAll(const View& view, const DistanceFields& fields, const Values& values, std::size_t crowded, bool viewMoved, std::span<const PlacedLine> held,
                 Layout& layout);
   void findVisible(const View& view, const ScopeVisibility* visibility, int framesOn);
   [[nodiscard]] std::span<const char> usableScopes(const Annotation& annotation) const {
@@ -168,7 +168,7 @@ void Placer::setScene(const Model& model, const Scene& scene) {
 }
 
 void Placer::place(const View& view, const DistanceFields& fields, const Values& values, Layout& layout,
-                   const ScopeVisibility* visibility, const PlacedLine* held) {
+                   const ScopeVisibility* visibility, std::span<const PlacedLine> held) {
   State& s = *state_;
   const double turnRad = std::acos(std::clamp(glm::dot(view.forward(), s.past.forward), -1.0, 1.0));
   if (turnRad > kForgetTurnRad) forget();
@@ -216,7 +216,7 @@ bool Placer::State::beginFrame(const View& view) {
 
 /// Places everything but the `crowded` shortest lines. Returns whether a line runs into another.
 bool Placer::State::placeAll(const View& view, const DistanceFields& fields, const Values& values, std::size_t crowded, bool viewMoved,
-                             const PlacedLine* held, Layout& layout) {
+                             std::span<const PlacedLine> held, Layout& layout) {
   recycle(layout.lines, spareLines);
   spareHandles.reserve(others.size());
   recycle(layout.others, spareHandles);
@@ -233,8 +233,9 @@ bool Placer::State::placeAll(const View& view, const DistanceFields& fields, con
   for (std::size_t rank = 0; rank < order.size(); ++rank) {
     Measured& measured = order[rank];
     past.lookAhead.reach(rank);
-    if (held != nullptr && held->parameter == measured.parameter) {
-      landHeld(*held, layout);
+    const auto inHand = std::ranges::find(held, measured.parameter, &PlacedLine::parameter);
+    if (inHand != held.end()) {
+      landHeld(*inHand, layout);
     } else if (rank < crowded) {
       layout.hidden.push_back({measured.parameter, HiddenReason::kCrowded});
       past.histories[measured.parameter].choseNone();

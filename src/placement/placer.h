@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <span>
 
 #include "placement/layout.h"
 #include "silhouette/scope_visibility.h"
@@ -42,10 +43,10 @@ class Placer {
   void showHidden(bool shown);
 
   /// One frame. `fields` are the model's own, of the same viewport as `view`; `visibility` says how much of each of the scene's scopes is seen, from
-  /// this frame or a recent one (null: nothing is hidden by the model). `values` are what the labels say. `held`: a line that is being dragged and
-  /// no member of a chain; at its parameter's turn it is taken as it is, and later lines keep clear of it as of any other.
+  /// this frame or a recent one (null: nothing is hidden by the model). `values` are what the labels say. `held`: lines that are being dragged and
+  /// no members of a chain, one a parameter; at their parameter's turn they are taken as they are, and later lines keep clear of them as of any other.
   void place(const View& view, const DistanceFields& fields, const Values& values, Layout& layout,
-             const ScopeVisibility* visibility = nullptr, const PlacedLine* held = nullptr);
+             const ScopeVisibility* visibility = nullptr, std::span<const PlacedLine> held = {});
 
  private:
   struct State;

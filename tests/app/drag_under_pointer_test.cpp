@@ -165,7 +165,7 @@ void dragArcs(const Model& model, Stage& stage, const std::string& where, Tally&
       const double turnRad = std::clamp(travel / pxPerRad, -3.0, 3.0);
       const Vec2 pointer = view.toScreen(handle.arc->at(handle.arc->angleRad + turnRad));
       const MissPx missOf = [&](double value) -> std::optional<double> {
-        return glm::length(view.toScreen(handle.arc->at(value * 0.017453292519943295)) - pointer);
+        return glm::length(view.toScreen(handle.arc->at(value * kRadPerDeg)) - pointer);
       };
       const double value = drag->valueAt(pointer, view);
       // Beyond a limit it may be that the other one is nearer, across the circle; nobody who passes one limit means the other.

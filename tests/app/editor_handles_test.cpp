@@ -59,7 +59,7 @@ struct HandleStage : EditorStage {
   /// On screen: 50 px a metre, the corner's origin, and a point at an angle about it.
   [[nodiscard]] Vec2 about(double deg, double radiusPx) const {
     const Vec2 center = editor.layout().view.toScreen(other("Pitch").arc->center);
-    return center + Vec2(std::cos(deg * 0.017453292519943295), -std::sin(deg * 0.017453292519943295)) * radiusPx;
+    return center + Vec2(std::cos(deg * kRadPerDeg), -std::sin(deg * kRadPerDeg)) * radiusPx;
   }
 };
 

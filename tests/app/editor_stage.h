@@ -46,6 +46,12 @@ struct EditorStage {
   /// The screen position of a line's draggable end.
   [[nodiscard]] Vec2 handle(std::string_view name) const { return line(name)->handles.front().screen; }
 
+  /// Of the only handle that is being dragged.
+  [[nodiscard]] std::optional<Editor::Gesture> gesture() const {
+    const auto all = editor.gestures();
+    return all.size() == 1 ? std::optional(all.front()) : std::nullopt;
+  }
+
   PointerTarget down(const Vec2& at, PointerButton button = PointerButton::kPrimary, Modifiers modifiers = {}) {
     return editor.pointerDown({.button = button, .modifiers = modifiers, .screen = at});
   }

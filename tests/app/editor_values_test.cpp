@@ -35,28 +35,28 @@ struct FrontStage : EditorStage {
 
 TEST_CASE("what is being dragged can be asked for, and nothing else") {
   FrontStage stage;
-  REQUIRE_FALSE(stage.editor.gesture());
+  REQUIRE_FALSE(stage.gesture());
   const Vec2 at = stage.handle("Width");
   stage.down(at);
-  const auto begun = stage.editor.gesture();
+  const auto begun = stage.gesture();
   REQUIRE(begun);
   REQUIRE(begun->parameter == stage.indexOf("Width"));
   REQUIRE(begun->difference.empty());
   REQUIRE(begun->limit == Limit::kNone);
   stage.move(at + Vec2(30, 0));
   stage.frame();
-  const auto moved = stage.editor.gesture();
+  const auto moved = stage.gesture();
   REQUIRE(moved->value == 9.2);
   REQUIRE(moved->text == "9.20 m");
   REQUIRE(moved->difference == "+1.20 m");
   REQUIRE(glm::length(moved->handle - stage.handle("Width")) < 1e-9);
   REQUIRE(std::abs(moved->direction.x) == Approx(1));
   stage.move(at + Vec2(4000, 0));
-  REQUIRE(stage.editor.gesture()->limit == Limit::kMax);
+  REQUIRE(stage.gesture()->limit == Limit::kMax);
   stage.move(at - Vec2(4000, 0));
-  REQUIRE(stage.editor.gesture()->limit == Limit::kMin);
+  REQUIRE(stage.gesture()->limit == Limit::kMin);
   stage.up(at - Vec2(4000, 0));
-  REQUIRE_FALSE(stage.editor.gesture());
+  REQUIRE_FALSE(stage.gesture());
 }
 
 TEST_CASE("shift makes the steps of a drag finer, alt takes them away, and letting go of both brings them back") {
@@ -70,9 +70,9 @@ TEST_CASE("shift makes the steps of a drag finer, alt takes them away, and letti
   };
   REQUIRE(valueWith({}) == 5.6);
   REQUIRE(valueWith({.shift = true}) == 5.57);
-  REQUIRE(stage.editor.gesture()->snap == DragSnap::kFine);
+  REQUIRE(stage.gesture()->snap == DragSnap::kFine);
   REQUIRE(valueWith({.alt = true}) == Approx(5.566).margin(1e-9));
-  REQUIRE(stage.editor.gesture()->snap == DragSnap::kNone);
+  REQUIRE(stage.gesture()->snap == DragSnap::kNone);
   REQUIRE(valueWith({}) == 5.6);
   for (const Modifiers modifiers : {Modifiers{.shift = true}, Modifiers{.alt = true}, Modifiers{}}) {
     stage.editor.pointerMove({.modifiers = modifiers, .screen = at});

@@ -1,6 +1,7 @@
 // The camera under the visitor's hand: mouse, touch, wheel, keys and buttons.
 import assert from "node:assert/strict";
 import { after, before, beforeEach, test } from "node:test";
+import { fingersOf } from "./support/handles.mjs";
 import { call, cameraOf, distance, launch, layoutOf, openPage, pictureBox, settle } from "./support/page.mjs";
 
 let browser, tab, page, home, free;
@@ -109,7 +110,7 @@ test("the wheel zooms, at the pointer, and the page does not scroll", async () =
 });
 
 test("one finger orbits", async () => {
-  await touchGesture([[free]], [[[free[0] + 80, free[1]]]]);
+  await touchGesture([free], [[free[0] + 80, free[1]]]);
   const camera = await cameraOf(page);
   assert.deepEqual(camera.target, home.target);
   assert.ok(Math.abs(azimuthDeg(camera) - azimuthDeg(home)) > 5);
@@ -120,20 +121,7 @@ test("two fingers pinch: spreading them to twice the distance doubles the pictur
   const frame = await layoutOf(page);
   const sample = frame.lines[0].base.world;
   const sizeOf = (f) => distance(project(f, sample[0]), project(f, sample[1]));
-  await touchGesture(
-    [
-      [
-        [x - 40, y],
-        [x + 40, y],
-      ],
-    ],
-    [
-      [
-        [x - 80, y],
-        [x + 80, y],
-      ],
-    ],
-  );
+  await touchGesture([[x - 40, y], [x + 40, y]], [[x - 80, y], [x + 80, y]]);
   const zoom = sizeOf(await layoutOf(page)) / sizeOf(frame);
   assert.ok(zoom > 1.5 && zoom < 3, `the picture grew by ${zoom}`);
 });
@@ -141,35 +129,19 @@ test("two fingers pinch: spreading them to twice the distance doubles the pictur
 test("two fingers side by side pan", async () => {
   const [x, y] = free;
   const before = project(await layoutOf(page), home.target);
-  await touchGesture(
-    [
-      [
-        [x - 30, y],
-        [x + 30, y],
-      ],
-    ],
-    [
-      [
-        [x + 20, y + 30],
-        [x + 80, y + 30],
-      ],
-    ],
-  );
+  await touchGesture([[x - 30, y], [x + 30, y]], [[x + 20, y + 30], [x + 80, y + 30]]);
   const after = project(await layoutOf(page), home.target);
   near(after[0] - before[0], 50, 6, "pan in x");
   near(after[1] - before[1], 30, 6, "pan in y");
 });
 
 /** Fingers go down at `from`, move to `to` in eight steps, and up. */
-async function touchGesture([from], [to]) {
-  const session = await page.context().newCDPSession(page);
-  const points = (share) =>
-    from.map(([x, y], i) => ({ id: i, x: x + (to[i][0] - x) * share, y: y + (to[i][1] - y) * share }));
-  await session.send("Input.dispatchTouchEvent", { type: "touchStart", touchPoints: points(0) });
-  for (let i = 1; i <= 8; ++i)
-    await session.send("Input.dispatchTouchEvent", { type: "touchMove", touchPoints: points(i / 8) });
-  await session.send("Input.dispatchTouchEvent", { type: "touchEnd", touchPoints: [] });
-  await session.detach();
+async function touchGesture(from, to) {
+  const fingers = await fingersOf(page);
+  const points = (share) => from.map(([x, y], i) => [x + (to[i][0] - x) * share, y + (to[i][1] - y) * share]);
+  await fingers.down(...points(0));
+  for (let i = 1; i <= 8; ++i) await fingers.move(...points(i / 8));
+  await fingers.up();
   await settle(page);
 }
 

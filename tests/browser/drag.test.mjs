@@ -1,42 +1,17 @@
 // The main job: dragging a dimension line's arrow changes the house, and everything follows.
 import assert from "node:assert/strict";
-import { after, before, beforeEach, test } from "node:test";
-import {
-  call,
-  distance,
-  launch,
-  layoutOf,
-  lineOf,
-  openPage,
-  pictureBox,
-  recordEvents,
-  screenshot,
-  settle,
-  takeEvents,
-  valueOf,
-} from "./support/page.mjs";
+import { test } from "node:test";
+import { fingersOf } from "./support/handles.mjs";
+import { openHouse } from "./support/house.mjs";
+import { call, distance, layoutOf, lineOf, pictureBox, screenshot, settle, takeEvents, valueOf } from "./support/page.mjs";
 import { colourStatistics, decodePng, pixelAt } from "./support/png.mjs";
 
 const kWidth = "Width";
 /** px. Well within the width's range in a window of this size: the house grows to both sides, so the width changes by twice as much. */
 const kTravelPx = 40;
 
-let browser, tab, page, defaults;
-before(async () => {
-  browser = await launch();
-  tab = await openPage(browser, { width: 1000, height: 700, touch: true });
-  page = tab.page;
-  await recordEvents(page);
-  defaults = Object.fromEntries((await call(page, "getParameters")).map((p) => [p.name, p.value]));
-});
-after(async () => {
-  await browser?.close();
-});
-beforeEach(async () => {
-  await call(page, "setParameters", defaults);
-  await settle(page);
-  await takeEvents(page);
-});
+let tab, page, defaults;
+openHouse({ width: 1000, height: 700, touch: true }, (desk) => ({ tab, page, defaults } = desk));
 
 /** The width's line, its handle in the window's pixels, and its direction on screen from the fixed end to the moving one. */
 async function widthHandle() {
@@ -169,15 +144,14 @@ test("Esc in the middle of a drag takes all of it back", async () => {
 test("a finger drags an arrow as a mouse does", async () => {
   const start = await valueOf(page, kWidth);
   const { grip, direction, handle } = await widthHandle();
-  const session = await page.context().newCDPSession(page);
-  const at = (px) => [{ x: grip[0] + direction[0] * px, y: grip[1] + direction[1] * px }];
-  await session.send("Input.dispatchTouchEvent", { type: "touchStart", touchPoints: at(0) });
-  for (let px = 10; px <= kTravelPx; px += 10)
-    await session.send("Input.dispatchTouchEvent", { type: "touchMove", touchPoints: at(px) });
+  const fingers = await fingersOf(page);
+  const at = (px) => [grip[0] + direction[0] * px, grip[1] + direction[1] * px];
+  await fingers.down(at(0));
+  for (let px = 10; px <= kTravelPx; px += 10) await fingers.move(at(px));
   await settle(page);
   const tip = lineOf(await layoutOf(page), kWidth).handles.find((candidate) => candidate.end === handle.end).screen;
   assert.ok(distance(tip, [handle.screen[0] + direction[0] * kTravelPx, handle.screen[1] + direction[1] * kTravelPx]) <= 3);
-  await session.send("Input.dispatchTouchEvent", { type: "touchEnd", touchPoints: [] });
+  await fingers.up();
   await settle(page);
   assert.ok((await valueOf(page, kWidth)) > start + 0.2);
 });

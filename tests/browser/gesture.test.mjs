@@ -1,28 +1,12 @@
 // What a drag feels like: it is read as it goes, ends are felt, keys make it finer, it can be let go of anywhere and given up.
 import assert from "node:assert/strict";
-import { after, before, beforeEach, test } from "node:test";
+import { test } from "node:test";
 import { cursorOf, fingersOf, gripOf, gripsOf, inside, labelOf } from "./support/handles.mjs";
-import { call, cameraOf, layoutOf, launch, openPage, pictureBox, recordEvents, screenshot, settle, takeEvents, valueOf } from "./support/page.mjs";
+import { openHouse } from "./support/house.mjs";
+import { call, layoutOf, openPage, pictureBox, recordEvents, screenshot, settle, takeEvents, valueOf } from "./support/page.mjs";
 
-let browser, tab, page, defaults, camera;
-before(async () => {
-  browser = await launch();
-  tab = await openPage(browser, { width: 1100, height: 800 });
-  page = tab.page;
-  await recordEvents(page);
-  defaults = Object.fromEntries((await call(page, "getParameters")).map((p) => [p.name, p.value]));
-  camera = await cameraOf(page);
-});
-after(async () => {
-  await browser?.close();
-});
-beforeEach(async () => {
-  await page.mouse.move(2, 2);
-  await call(page, "setParameters", defaults);
-  await call(page, "setCamera", camera);
-  await settle(page);
-  await takeEvents(page);
-});
+let browser, tab, page, defaults;
+openHouse({ width: 1100, height: 800 }, (desk) => ({ browser, tab, page, defaults } = desk));
 
 const parameter = async (name) => (await call(page, "getParameters")).find((p) => p.name === name);
 const readout = (of = page) => inside(of, ".readout[data-shown]");
@@ -44,7 +28,7 @@ test("value and difference stand beside the handle; keys are explained during th
     const text = await readout().textContent();
     assert.ok(text.includes(`Width${value.toFixed(2)} m−${(defaults.Width - value).toFixed(2)} m`), text);
     assert.equal(/Shift.*Alt/.test(text), round === 0, text);
-    const { handle } = await page.evaluate(() => document.querySelector("dimline-editor").gesture);
+    const { handle } = await page.evaluate(() => document.querySelector("dimline-editor").gestures[0]);
     const [box, picture] = [await readout().boundingBox(), await pictureBox(page)];
     const [x, y] = [picture.x + handle[0], picture.y + handle[1]];
     const away = Math.hypot(Math.max(box.x - x, x - box.x - box.width, 0), Math.max(box.y - y, y - box.y - box.height, 0));
@@ -245,7 +229,7 @@ test("hidden lines are shown while H is held, while the button is held, or until
   assert.equal(await button.getAttribute("aria-pressed"), "false");
 });
 
-test("fingers: the value stands above them, limits buzz, a double tap resets, a second finger changes nothing", async () => {
+test("fingers: the value stands above them, limits buzz, a double tap resets, a second finger beside the lines changes nothing", async () => {
   const { page: phone, close } = await openPage(browser, {
     width: 390,
     height: 844,
@@ -287,6 +271,46 @@ test("fingers: the value stands above them, limits buzz, a double tap resets, a 
   await phone.touchscreen.tap(...now.at);
   await settle(phone);
   assert.equal(await valueOf(phone, "Depth"), start);
+  await close();
+});
+
+test("two fingers drag two lines at once, each under its own, as one undo step; the value of each stands above its finger", async () => {
+  const { page: phone, close } = await openPage(browser, { width: 800, height: 900, touch: true });
+  await recordEvents(phone);
+  const fingers = await fingersOf(phone);
+  const picture = await pictureBox(phone);
+  const lineNow = async (name) => (await layoutOf(phone)).lines.find(({ parameter }) => parameter === name);
+  const start = JSON.stringify(await call(phone, "getParameters"));
+  const names = ["Width", "Depth"];
+  const grips = [];
+  for (const name of names) grips.push(gripsOf(await lineNow(name), picture)[0]);
+  const [first, second] = grips;
+  await fingers.down(first.at);
+  await fingers.down(first.at, second.at);
+  for (const px of [4, 8, 12]) await fingers.move(along(first, -2 * px), along(second, px));
+  await settle(phone);
+  const gestures = await phone.evaluate(() => document.querySelector("dimline-editor").gestures);
+  assert.deepEqual(gestures.map(({ parameter }) => parameter), names);
+  for (const [i, travelPx] of [-24, 12].entries()) {
+    const { handle, value, parameter, limit } = gestures[i];
+    assert.ok((value - defaults[parameter]) * travelPx > 0 && limit === null, `${parameter} is ${value}`);
+    const went = (handle[0] - grips[i].tip[0]) * grips[i].outward[0] + (handle[1] - grips[i].tip[1]) * grips[i].outward[1];
+    assert.ok(Math.abs(went - travelPx) <= 3, `${parameter}: ${went} px of the ${travelPx} that its finger went`);
+  }
+  const texts = await readout(phone).allTextContents();
+  assert.equal(texts.length, 2);
+  for (const [i, name] of names.entries()) assert.ok(texts[i].startsWith(name), texts[i]);
+  await screenshot(phone, "drag-by-two-fingers");
+
+  await fingers.up();
+  await settle(phone);
+  assert.equal(await readout(phone).count(), 0);
+  for (const { parameter: name, value } of gestures) assert.equal(await valueOf(phone, name), value);
+  assert.equal((await takeEvents(phone)).filter((type) => type === "change").length, 1);
+  await phone.click("#undo");
+  await settle(phone);
+  assert.equal(JSON.stringify(await call(phone, "getParameters")), start);
+  assert.ok(await phone.isDisabled("#undo"));
   await close();
 });
 

@@ -141,6 +141,33 @@ test("the focus stays on the parameter while its line moves, and can be seen in 
   await settle(page);
 });
 
+test("screen readers are told what undo and redo have changed, and when a key meets a limit; of other changes they hear from the slider itself", async () => {
+  const told = () => inside(page, "[role=status]").textContent();
+  const { max, step, value } = (await parameters()).find((p) => p.name === "RoofPitch");
+  await sliderOf(page, "RoofPitch").focus();
+  await page.keyboard.press("ArrowUp");
+  await settle(page);
+  const before = await told();
+  await page.keyboard.press("Control+z");
+  await settle(page);
+  assert.equal(await told(), `Undone: Roof pitch ${value}°.`);
+  await page.keyboard.press("Control+y");
+  await settle(page);
+  assert.equal(await told(), `Redone: Roof pitch ${value + step}°.`);
+  assert.notEqual(before, await told());
+  await page.click("#undo");
+  assert.equal(await told(), `Undone: Roof pitch ${value}°.`);
+  await sliderOf(page, "RoofPitch").focus();
+  await page.keyboard.press("End");
+  await settle(page);
+  assert.equal(await told(), `Undone: Roof pitch ${value}°.`);
+  await page.keyboard.press("ArrowUp");
+  assert.equal(await told(), `Roof pitch is at most ${max}°.`);
+  await page.keyboard.press("Control+z");
+  await settle(page);
+  assert.equal(await valueOf(page, "RoofPitch"), value);
+});
+
 test("the panel's controls do the same from the keyboard", async () => {
   for (const name of ["Width", "RoofPitch"]) {
     const { value, step, default: normal } = (await parameters()).find((p) => p.name === name);

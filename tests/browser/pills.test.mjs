@@ -1,40 +1,11 @@
 // Switches, choices and angles in the picture: what stands there can be used there.
 import assert from "node:assert/strict";
-import { after, before, beforeEach, test } from "node:test";
-import {
-  call,
-  cameraOf,
-  distance,
-  launch,
-  layoutOf,
-  openPage,
-  pictureBox,
-  recordEvents,
-  screenshot,
-  settle,
-  takeEvents,
-  valueOf,
-} from "./support/page.mjs";
+import { test } from "node:test";
+import { openHouse } from "./support/house.mjs";
+import { call, cameraOf, distance, layoutOf, pictureBox, screenshot, settle, takeEvents, valueOf } from "./support/page.mjs";
 
-let browser, tab, page, defaults, camera;
-before(async () => {
-  browser = await launch();
-  tab = await openPage(browser, { width: 1100, height: 800, touch: true });
-  page = tab.page;
-  await recordEvents(page);
-  defaults = Object.fromEntries((await call(page, "getParameters")).map((p) => [p.name, p.value]));
-  camera = await cameraOf(page);
-});
-after(async () => {
-  await browser?.close();
-});
-beforeEach(async () => {
-  await page.mouse.move(2, 2);
-  await call(page, "setParameters", defaults);
-  await call(page, "setCamera", camera);
-  await settle(page);
-  await takeEvents(page);
-});
+let tab, page, defaults, camera;
+openHouse({ width: 1100, height: 800, touch: true }, (desk) => ({ tab, page, defaults, camera } = desk));
 
 const parameter = async (name) => (await call(page, "getParameters")).find((p) => p.name === name);
 async function other(type) {

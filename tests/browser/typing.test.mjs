@@ -1,26 +1,12 @@
 // Exact values: typed on the line itself and in the panel, in the visitor's own manner of writing numbers.
 import assert from "node:assert/strict";
-import { after, before, beforeEach, test } from "node:test";
+import { test } from "node:test";
 import { inside, labelOf, sliderOf } from "./support/handles.mjs";
-import { call, cameraOf, launch, openPage, recordEvents, screenshot, settle, takeEvents, valueOf } from "./support/page.mjs";
+import { openHouse } from "./support/house.mjs";
+import { call, cameraOf, openPage, screenshot, settle, takeEvents, valueOf } from "./support/page.mjs";
 
 let browser, tab, page, defaults;
-before(async () => {
-  browser = await launch();
-  tab = await openPage(browser, { width: 1100, height: 800 });
-  page = tab.page;
-  await recordEvents(page);
-  defaults = Object.fromEntries((await call(page, "getParameters")).map((p) => [p.name, p.value]));
-});
-after(async () => {
-  await browser?.close();
-});
-beforeEach(async () => {
-  await page.mouse.move(2, 2);
-  await call(page, "setParameters", defaults);
-  await settle(page);
-  await takeEvents(page);
-});
+openHouse({ width: 1100, height: 800 }, (desk) => ({ browser, tab, page, defaults } = desk));
 
 const field = () => inside(page, ".value-field input");
 const note = () => inside(page, ".value-field .note");

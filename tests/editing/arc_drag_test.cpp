@@ -13,8 +13,6 @@ using namespace dimline::test;
 
 namespace {
 
-constexpr double kRadPerDeg = 0.017453292519943295;
-
 /// A wedge whose pitch is 30 degrees, and its arc of 2 m about the origin, from +x towards +y.
 struct Desk {
   Model model = makeModel(definition()).value();

@@ -124,6 +124,26 @@ ModelDefinition row() {
   return definition;
 }
 
+/// One box on another, 2 and 1 m high.
+ModelDefinition stack() {
+  ModelDefinition definition;
+  definition.name = "stack";
+  definition.parameters.push_back(parameterNamed("Lower", 2, 0.5, 4, 0.1, "@Handle(scope=Lower, type=linear-contour, orient=up)"));
+  definition.parameters.push_back(parameterNamed("Upper", 1, 0.2, 4, 0.1, "@Handle(scope=Upper, type=linear-contour, orient=up)"));
+  definition.build = [](const Values& v) {
+    Scene scene;
+    const Obb lower = boxAt({-1, 0, -1}, {2, v.at(0), 2});
+    const Obb upper = boxAt({-1, v.at(0), -1}, {2, v.at(1), 2});
+    addBox(scene, lower);
+    addBox(scene, upper);
+    scene.scopes.push_back({"Lower", 0, lower});
+    scene.scopes.push_back({"Upper", 0, upper});
+    finish(scene);
+    return scene;
+  };
+  return definition;
+}
+
 }  // namespace
 
 TEST_CASE("a height that stands on the ground follows the pointer metre by metre") {
@@ -307,7 +327,7 @@ TEST_CASE("beside the dragged line stand the old extent, once there is another, 
   const auto at = [&](double value) {
     Values values = desk.values;
     values.set(line.parameter, value);
-    return drag->lineOn(desk.sceneAt(line.parameter, value), values, desk.view)->lineScreen;
+    return *drag->lineOn(desk.sceneAt(line.parameter, value), values, desk.view);
   };
   const auto countAt = [&](double value, DragMark::Kind kind) {
     std::vector<DragMark> marks;
@@ -325,6 +345,66 @@ TEST_CASE("beside the dragged line stand the old extent, once there is another, 
   REQUIRE(std::ranges::count(marks, DragMark::Kind::kTick, &DragMark::kind) == 0);
   const auto ghost = std::ranges::find(marks, DragMark::Kind::kGhost, &DragMark::kind);
   REQUIRE(glm::length(ghost->line.middle() - line.lineScreen.end) < 1e-9);
+}
+
+TEST_CASE("where ends are not in proportion to values, ticks stand where values end, found out one at a time and each once") {
+  // One tick for nine tiles to three; one of ten, and one of two, would be 150 px away and more.
+  const Desk desk(row(), frontCamera());
+  const PlacedLine line = desk.line("Spacing", 0, {0, -0.6, 0});
+  auto drag = desk.grab(line, true);
+  const auto ticks = [&](Snap snap) {
+    std::vector<DragMark> marks;
+    drag->addMarks(2.5, line, desk.view, snap, marks);
+    std::vector<double> endsM;
+    for (const DragMark& mark : marks) {
+      if (mark.kind == DragMark::Kind::kTick || mark.kind == DragMark::Kind::kLongTick) endsM.push_back((mark.line.middle().x - line.lineScreen.start.x) / 100);
+    }
+    return endsM;
+  };
+  const std::size_t before = ticks(Snap::kStep).size();
+  int learned = 0;
+  while (drag->learnNearby(2.5, line, desk.view, Snap::kStep)) ++learned;
+  CHECK(learned > 5);
+  CHECK(learned <= 2 * kMostTicks);
+  const std::vector<double> found = ticks(Snap::kStep);
+  CHECK(found.size() > before);
+  const std::vector<double> expected{10.0 / 9, 10.0 / 8, 10.0 / 7, 10.0 / 6, 2.0, 2.5, 10.0 / 3};
+  REQUIRE(found.size() == expected.size());
+  for (std::size_t i = 0; i < found.size(); ++i) CHECK(found[i] == Approx(expected[i]));
+  const int evaluations = drag->evaluations();
+  CHECK_FALSE(drag->learnNearby(2.5, line, desk.view, Snap::kStep));
+  CHECK(drag->evaluations() == evaluations);
+  CHECK(ticks(Snap::kNone).empty());
+}
+
+TEST_CASE("where ends are in proportion to values, nothing has to be found out") {
+  const Desk desk(boxWithDoor(), frontCamera());
+  const PlacedLine line = desk.line("Width", 0, {0, -0.6, 0});
+  auto drag = desk.grab(line, true);
+  CHECK_FALSE(drag->learnNearby(8, line, desk.view, Snap::kStep));
+  CHECK(drag->evaluations() <= 3);
+}
+
+TEST_CASE("among other values that leave the line where it is, the value is the same; among those that move it, the end comes to the pointer") {
+  const Desk desk(boxWithDoor(), frontCamera());
+  const PlacedLine line = desk.line("DoorHeight", 0, {0, 0, 0});
+  auto drag = desk.grab(line, true);
+  const Vec2 pointer = line.lineScreen.end + Vec2(3, -2) + Vec2(0, -40);
+  REQUIRE(drag->valueAt(pointer, desk.view) == Approx(2.4));
+  Values others = desk.values;
+  others.set(findParameter(desk.model.parameters(), "Width").value(), 11);
+  CHECK(drag->valueAmong(others, pointer, desk.view) == Approx(2.4));
+  CHECK(drag->valueAmong(desk.values, pointer, desk.view) == Approx(2.4));
+
+  const Desk pair(stack(), frontCamera());
+  const PlacedLine upper = pair.line("Upper", 0, {-0.6, 0, 0});
+  auto dragUpper = pair.grab(upper, true);
+  const Vec2 grabbed = upper.lineScreen.end + Vec2(3, -2);
+  others = pair.values;
+  others.set(0, 2.5);   // the lower one, half a metre higher
+  CHECK(dragUpper->valueAmong(others, grabbed, pair.view) == Approx(0.5));
+  CHECK(dragUpper->valueAmong(others, grabbed + Vec2(0, -30), pair.view) == Approx(0.8));
+  CHECK(dragUpper->valueAmong(pair.values, grabbed, pair.view) == 1);
 }
 
 TEST_CASE(

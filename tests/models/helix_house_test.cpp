@@ -8,8 +8,6 @@
 namespace dimline {
 namespace {
 
-constexpr double kRadPerDeg = 0.017453292519943295;
-
 const Model& theHelix() {
   static const Model model = findBuiltInModel("helix-house").value();
   return model;

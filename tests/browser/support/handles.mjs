@@ -54,7 +54,17 @@ export async function gripOf(page, name) {
   return { line, ...(grips.find(({ end }) => end === "end") ?? grips[0]) };
 }
 
-/** Fingers on the screen, by the browser's own input. */
+/** The moving end of an angle: where a visitor takes hold of it, in the window, and where that is after a turn about the centre on screen. */
+export function arcGripOf({ handles, anchor }, picture) {
+  const [x, y] = [handles[0].screen[0] - anchor[0], handles[0].screen[1] - anchor[1]];
+  const turned = (rad) => [
+    picture.x + anchor[0] + x * Math.cos(rad) - y * Math.sin(rad),
+    picture.y + anchor[1] + x * Math.sin(rad) + y * Math.cos(rad),
+  ];
+  return { at: turned(0), turned };
+}
+
+/** Fingers on the screen, by the browser's own input. Each call has all fingers that are down, always in the same order; up() lifts them all. */
 export async function fingersOf(page) {
   const session = await page.context().newCDPSession(page);
   const send = (type, ...points) =>

@@ -1,0 +1,3 @@
+import { followEverySecond } from "./support/follow.mjs";
+
+followEverySecond(0);

@@ -1,0 +1,29 @@
+// Sentences for screen readers.
+import { test } from "node:test";
+import assert from "node:assert/strict";
+import { changeSentence, limitSentence } from "../../web/spoken.js";
+
+const pitch = (value) => ({ title: "Roof pitch", type: "angle", unit: "deg", step: 1, value });
+const width = (value) => ({ title: "Width", type: "float", unit: "m", step: 0.1, value });
+const floors = (value) => ({ title: "Floors", type: "int", unit: "", step: 1, value });
+const chimney = (value) => ({ title: "Chimney", type: "bool", unit: "", value });
+const roof = (value) => ({ title: "Roof", type: "choice", unit: "", value });
+
+test("a step through the history is told by what it has changed, in the visitor's manner of writing numbers", () => {
+  assert.equal(changeSentence("Undone", [pitch(40), width(9)], [pitch(35), width(9)], "."), "Undone: Roof pitch 35°.");
+  assert.equal(changeSentence("Redone", [pitch(35), width(9)], [pitch(35), width(9.45)], ","), "Redone: Width 9,45 m.");
+  assert.equal(changeSentence("Undone", [chimney(true), roof("gable")], [chimney(false), roof("half-hip")], "."), "Undone: Chimney off, Roof Half hip.");
+});
+
+test("of many changes the first are named and the others counted; of none that is said", () => {
+  const before = [pitch(1), width(1), floors(1), chimney(true), roof("gable")];
+  const after = [pitch(2), width(2), floors(2), chimney(false), roof("hip")];
+  assert.equal(changeSentence("Undone", before, after, "."), "Undone: Roof pitch 2°, Width 2.0 m, Floors 2 and 2 more.");
+  assert.equal(changeSentence("Undone", before, before, "."), "Nothing to undo.");
+  assert.equal(changeSentence("Redone", before, before, "."), "Nothing to redo.");
+});
+
+test("a limit is told with its value", () => {
+  assert.equal(limitSentence("Width", true, "15.00 m"), "Width is at most 15.00 m.");
+  assert.equal(limitSentence("Floors", false, "1"), "Floors is at least 1.");
+});
