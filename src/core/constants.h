@@ -86,12 +86,26 @@ inline constexpr double kScoreLength = 0.02;                             ///< la
 inline constexpr double kScoreAlign = 3.0 * kHandleSpacingPx;            ///< lambda 3
 inline constexpr double kScoreDamp = 0.5 * kHandleSpacingPx;             ///< lambda 4
 inline constexpr double kScoreIntersect = -1.0 * kHandleSpacingPx;       ///< lambda 5
-/// Beyond the paper: principle 9 weighs more than a shorter way. The last frame's choice stays until another is better by this much more than Damp, and what was left
-/// is not gone back to within kReturnFrames moved frames unless it is better by -kScoreReturn. Smaller: lines change more often on an
-/// orbit. Larger: they stay longer on a side that is no longer the nearest.
-inline constexpr double kScoreStay = 9.5 * kHandleSpacingPx;
+/// Beyond the paper: principle 9 weighs more than a shorter way. What was left is not gone back to within kReturnFrames moved frames unless it is better by
+/// -kScoreReturn. Where all is placed anew, as after an edit, and for handles that are no lines, the last frame's choice stays until another is better by kScoreStay
+/// more than Damp. Smaller: handles change sides more often on an orbit. Larger: they stay longer on a side that is no longer the nearest.
+inline constexpr double kScoreStay = 20 * kHandleSpacingPx;
 inline constexpr double kScoreReturn = -14.0 * kHandleSpacingPx;
 inline constexpr int kReturnFrames = 20;
+
+/// Beyond the paper (placement/mending.h): what each line that changes its place, or leaps, costs an attempt to mend a frame; going back to what was left within
+/// kReturnFrames counts as so many changes more. Less: lines change places for a small gain. More: what is amiss stays until a place is lost.
+inline constexpr double kScoreChange = -12.0 * kHandleSpacingPx;
+inline constexpr double kChangesOfReturn = 6.0;
+/// What it costs there that a line runs across another's extension line, that a longer line lies nearer to the model than a shorter one beside it, and that a line is inside
+/// the model. A change costs once, these as long as they last, so each is worth about a change or more.
+inline constexpr double kScoreTangle = -20.0 * kHandleSpacingPx;
+inline constexpr double kScoreNestedWrongly = -12.0 * kHandleSpacingPx;
+inline constexpr double kScoreInside = -40.0 * kHandleSpacingPx;
+/// Attempts at a moved frame, each about as long as placing it. More find more and cost more.
+inline constexpr int kMendingAttempts = 2;
+/// Moved frames after which any line may look for a better place, though nothing is amiss with it.
+inline constexpr int kFramesToLookAround = 3;
 
 /// rad. A frame in which the view turns by more counts as several for how long a scope has been in sight, so that a quick turn drops what it hides at once.
 inline constexpr double kFrameTurnRad = 0.0174;

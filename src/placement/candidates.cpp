@@ -94,6 +94,7 @@ bool placeAt(Candidate& candidate, const Slide& slide, double offsetM, const Vie
 /// Scores the placed candidate and keeps it, when it is long enough.
 void keep(const CandidateContext& context, Candidate& candidate, std::vector<Candidate>& candidates) {
   if (candidate.lineScreen.length() < context.leastPx) return;
+  candidate.hysteresis = context.history.bonus(candidate.identity, away(candidate.baseScreen, candidate.lineScreen));
   candidate.score = score({.base = candidate.baseScreen,
                            .candidate = candidate.lineScreen,
                            .align = context.annotation.align,
@@ -101,17 +102,27 @@ void keep(const CandidateContext& context, Candidate& candidate, std::vector<Can
                            .intersects = false,
                            .planeKind = candidate.plane.kind,
                            .facing = candidate.plane.facing}) +
-                    context.history.bonus(candidate.identity, away(candidate.baseScreen, candidate.lineScreen));
+                    candidate.hysteresis;
   candidates.push_back(candidate);
 }
 
-/// Calls `use(plane, direction)` for each plane of a base line and each direction on it. A chain slips away from its members only.
+bool sameBaseLine(const UsableBaseLine& base, const Identity& identity) {
+  return base.scopeIndex == identity.scopeIndex && base.cluster == identity.chain && base.line.number == identity.baseLine;
+}
+
+/// Calls `use(candidate)` for each plane of a base line and each direction on it. A chain slips away from its members only.
 template <typename Use>
 void forEachSlip(const CandidateContext& context, const UsableBaseLine& base, Use use) {
+  if (context.only != nullptr && !sameBaseLine(base, *context.only)) return;
   slipPlanes(base.line, context.annotation.slip, context.view, context.objectPlanes, context.planes);
   for (const SlipPlane& plane : context.planes) {
-    use(plane, 1);
-    if (base.cluster < 0 || plane.kind != PlaneKind::kScope) use(plane, -1);
+    for (const int direction : {1, -1}) {
+      if (direction < 0 && base.cluster >= 0 && plane.kind == PlaneKind::kScope) continue;
+      Candidate candidate = unplaced(base, plane, direction, context);
+      if (context.only != nullptr && candidate.identity != *context.only) continue;
+      if (context.avoid != nullptr && candidate.identity == *context.avoid) continue;
+      use(candidate);
+    }
   }
 }
 
@@ -163,12 +174,12 @@ void gatherChainBaseLines(const Cluster& cluster, std::int32_t number, const Vie
 void gatherGuideCandidates(const CandidateContext& context, const UsableBaseLine& base, std::vector<Candidate>& candidates) {
   if (context.guides.size() == 0) return;
   const Vec3 along = glm::normalize(base.line.segment.end - base.line.segment.start);
-  forEachSlip(context, base, [&](const SlipPlane& plane, int direction) {
+  forEachSlip(context, base, [&](const Candidate& slipping) {
+    if (context.history.leftLately(slipping.identity)) return;
     for (std::size_t i = 0; i < context.guides.size(); ++i) {
       const Guide& guide = context.guides[i];
-      if (!liesOn(guide, plane.plane, along, context.toleranceM)) continue;
-      Candidate candidate = unplaced(base, plane, direction, context);
-      if (context.history.leftLately(candidate.identity)) continue;
+      if (!liesOn(guide, slipping.plane.plane, along, context.toleranceM)) continue;
+      Candidate candidate = slipping;
       const double offsetM = glm::dot(guide.point - candidate.foot.start, candidate.outward);
       if (!(offsetM > 0) || offsetM < leastRoomM(candidate)) continue;
       const auto slide = Slide::make(context.view, candidate.foot, candidate.outward);
@@ -181,8 +192,7 @@ void gatherGuideCandidates(const CandidateContext& context, const UsableBaseLine
 }
 
 void gatherOutsideCandidates(const CandidateContext& context, const UsableBaseLine& base, std::vector<Candidate>& candidates) {
-  forEachSlip(context, base, [&](const SlipPlane& plane, int direction) {
-    Candidate candidate = unplaced(base, plane, direction, context);
+  forEachSlip(context, base, [&](Candidate& candidate) {
     const auto slide = Slide::make(context.view, candidate.foot, candidate.outward);
     const double mostM = mostInViewM(candidate, context.view);
     if (!slide || mostM < 0) return;

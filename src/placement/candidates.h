@@ -36,6 +36,7 @@ struct Candidate {
   double mostM = 0;         ///< how far the plane has room
   int guide = -1;           ///< number of the guide it lies on
   double score = 0;         ///< without the Intersect term
+  double hysteresis = 0;    ///< how much of it is the History's, which says nothing about the place itself
   /// Only the last frame's choice has two: where it would rather lie, and the least, in case its label has no room at the first.
   bool hasSecondOffset = false;
   bool secondOffset = false;
@@ -64,6 +65,8 @@ struct CandidateContext {
   double toleranceM = 0;               ///< kSamePlaneDistance of the model's size
   std::vector<SlipPlane>& planes;      ///< memory for one base line's planes
   double leastPx = 0;                  ///< length on screen of the shortest line that is shown
+  const Identity* only = nullptr;      ///< the one candidate that is looked for; null: all are
+  const Identity* avoid = nullptr;     ///< a candidate that is left out
 };
 
 /// The least length on screen at which a line of this annotation is shown.

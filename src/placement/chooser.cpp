@@ -39,7 +39,8 @@ bool Chooser::choose(const Measured& measured, const ChoiceContext& context, con
   if (!gatherBases(measured, context, factor, enough)) return false;
   const CandidateContext candidates{measured.annotation, context.view, context.occupied.padded(), context.occupied.paddedModel(), context.occupied.guides(),
                                     context.objectPlanes, context.viewMoved, history, context.toleranceM, slipPlanes_,
-                                    factor * leastLengthPx(measured.annotation)};
+                                    factor * leastLengthPx(measured.annotation), nullptr, context.avoid};
+  if (context.firm && chooseAgain(measured, candidates, context)) return true;
   chainBases_.clear();
   for (std::size_t i = 0; i < measured.clusters.size(); ++i) {
     gatherChainBaseLines(measured.clusters[i], static_cast<std::int32_t>(i), context.view, chainBases_);
@@ -67,6 +68,26 @@ bool Chooser::gatherBases(const Measured& measured, const ChoiceContext& context
     if (context.usable[scope] != 0) gatherBaseLines(measured.annotation, context.scopes[scope], scope, context.view, factor, bases_, tally_);
   }
   return !bases_.empty();
+}
+
+/// The last frame's choice outside, when it still is a place, has not leapt and runs into no line.
+bool Chooser::chooseAgain(const Measured& measured, const CandidateContext& candidates, const ChoiceContext& context) {
+  const Identity& last = candidates.history.last();
+  if (last.plane < 0) return false;
+  chainBases_.clear();
+  if (last.chain >= 0) {
+    if (static_cast<std::size_t>(last.chain) >= measured.clusters.size()) return false;
+    gatherChainBaseLines(measured.clusters[static_cast<std::size_t>(last.chain)], last.chain, context.view, chainBases_);
+  } else if (!measured.clusters.empty()) {
+    // It stood for its chain long enough.
+    if (candidates.history.framesHeld() >= kReturnFrames) return false;
+    gatherBases(measured, context, thresholdFactor(measured, context), Enough::kAll);
+  }
+  CandidateContext again = candidates;
+  again.only = &last;
+  const std::span<const UsableBaseLine> bases = last.chain >= 0 ? chainBases_ : bases_;
+  if (!chooseOutside(bases, measured, again, context) || !candidates.history.stays(winner_.identity, away(winner_.baseScreen, winner_.lineScreen))) return false;
+  return std::ranges::none_of(winnerLines_, [&](const ChosenLine& line) { return context.occupied.landed().runsInto(line.lineScreen); });
 }
 
 /// The best candidate on a guide or, when there is none, outside the silhouette.
@@ -144,6 +165,18 @@ void Chooser::chooseInside(const Measured& measured, const CandidateContext& can
   winner_ = *best;
   winnerLines_.clear();
   winnerLines_.push_back(chosen(winner_, placeLabel({.line = winner_.lineScreen, .textSize = measured.textSize}, landed, context.view.viewport())));
+}
+
+Chooser::Worth Chooser::worth(const Landed& landed) const {
+  if (winner_.placement == PlacementKind::kInside) return {kScoreInside, {}, false};
+  const Candidate& c = winner_;
+  const Landed::Crossings crossings = landed.crossings(c.baseScreen, c.footScreen, c.lineScreen);
+  const bool nests = landed.nestsWithin(c.baseScreen, c.lineScreen, c.guide);
+  const Landed::Tangle tangle = landed.tangle(c.baseScreen, c.footScreen, c.lineScreen);
+  const double runsInto = (crossings.lines ? kScoreIntersect : 0.0) + (crossings.labels ? kScoreCoversLabel : 0.0) +
+                          kScoreTangle * tangle.lines +
+                          (nests ? kScoreNestedWrongly : 0.0);
+  return {c.score - c.hysteresis + runsInto, tangle, nests};
 }
 
 /// Fills `lines_` with the lines that a candidate stands for. False when there is none that has room.

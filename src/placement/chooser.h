@@ -21,6 +21,8 @@ struct ChoiceContext {
   std::span<const char> usable;             ///< one a scope: whether it may carry a line in this frame
   double toleranceM = 0;                    ///< kSamePlaneDistance of the model's size
   bool viewMoved = false;                   ///< since the last frame
+  bool firm = false;                        ///< the last frame's place is kept wherever it still is one
+  const Identity* avoid = nullptr;          ///< a place that is not looked at
   bool showAll = false;                     ///< base lines that are short or point at the viewer can be used too
 };
 
@@ -45,6 +47,13 @@ class Chooser {
 
   [[nodiscard]] const Candidate& winner() const { return winner_; }
   [[nodiscard]] std::span<const ChosenLine> lines() const { return winnerLines_; }
+  /// What the choice is worth among what has landed before it.
+  struct Worth {
+    double score = 0;             ///< px; hysteresis left out, with what it runs into
+    Landed::Tangle tangle;
+    bool nestsWithin = false;
+  };
+  [[nodiscard]] Worth worth(const Landed& landed) const;
   /// Whether the choice is a base line that runs into a line that has landed.
   [[nodiscard]] bool cramped() const { return cramped_; }
   [[nodiscard]] const BaseLineTally& tally() const { return tally_; }
@@ -53,6 +62,7 @@ class Chooser {
   enum class Enough { kOne, kAll };
   bool gatherBases(const Measured& measured, const ChoiceContext& context, double factor, Enough enough);
   bool chooseOutside(std::span<const UsableBaseLine> bases, const Measured& measured, const CandidateContext& candidates, const ChoiceContext& context);
+  bool chooseAgain(const Measured& measured, const CandidateContext& candidates, const ChoiceContext& context);
   bool chooseBest(const Measured& measured, const ChoiceContext& context);
   void chooseInside(const Measured& measured, const CandidateContext& candidates, const ChoiceContext& context);
   [[nodiscard]] static double scoreAmongOthers(const Candidate& candidate, const ChoiceContext& context, double enough);

@@ -4,11 +4,13 @@
 
 namespace dimline {
 
+bool History::stays(const Identity& candidate, const Segment2& awayPx) const {
+  const auto leaps = [&](const Vec2& was, const Vec2& is) { return glm::length(is - was) > kLeapPx; };
+  return candidate == last_ && !(awayPx_ && (leaps(awayPx_->start, awayPx.start) || leaps(awayPx_->end, awayPx.end)));
+}
+
 double History::bonus(const Identity& candidate, const Segment2& awayPx) const {
-  if (candidate == last_) {
-    const bool jumps = awayPx_ && std::max(glm::length(awayPx.start - awayPx_->start), glm::length(awayPx.end - awayPx_->end)) > kLeapPx;
-    return jumps ? 0.0 : kScoreStay;
-  }
+  if (candidate == last_) return stays(candidate, awayPx) ? kScoreStay : 0.0;
   return leftLately(candidate) ? kScoreReturn : 0.0;
 }
 
@@ -33,8 +35,7 @@ void History::choose(const Identity& choice, double offsetM, const Segment2& awa
   offsetM_ = offsetM;
   if (choice == last_) return;
   framesHeld_ = 0;
-  const Identity none{.parameter = last_.parameter};
-  if (last_ != none) *std::ranges::max_element(left_, {}, &Left::framesAgo) = {last_, 0};
+  if (any()) *std::ranges::max_element(left_, {}, &Left::framesAgo) = {last_, 0};
   last_ = choice;
 }
 

@@ -18,11 +18,15 @@ class History {
 
   /// The choice of the last frame; only its `parameter` is set when there was none.
   [[nodiscard]] const Identity& last() const { return last_; }
+  [[nodiscard]] bool any() const { return last_ != Identity{.parameter = last_.parameter}; }
 
   /// What hysteresis adds to a candidate's score beyond the paper's Damp: kScoreStay for the last frame's choice, and kScoreReturn for those that were
   /// left within the last kReturnFrames. Damp alone cannot hold a line that others push to and fro.
   /// The last frame's choice has none when it would jump: from `awayPx` off its base line then to elsewhere now, by more than kLeapPx.
   [[nodiscard]] double bonus(const Identity& candidate, const Segment2& awayPx = {}) const;
+
+  /// Whether a candidate is the last frame's choice and has not leapt: its line lies `awayPx` off its base line on screen, within kLeapPx of where it did.
+  [[nodiscard]] bool stays(const Identity& candidate, const Segment2& awayPx) const;
 
   /// Whether it was left for another within the last kReturnFrames.
   [[nodiscard]] bool leftLately(const Identity& candidate) const;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 
 namespace dimline {
 
@@ -22,6 +23,11 @@ bool lieOnEachOther(const Segment2& a, const Segment2& b) {
   return std::min(to, length) - std::max(from, 0.0) > kExtensionClearancePx;
 }
 
+/// A line and its extension lines. A foot that is the base line's own end makes a part of no length, which crosses nothing.
+std::array<Segment2, 5> partsOf(const Segment2& base, const Segment2& foot, const Segment2& line) {
+  return {line, Segment2{foot.start, line.start}, Segment2{foot.end, line.end}, Segment2{base.start, foot.start}, Segment2{base.end, foot.end}};
+}
+
 }  // namespace
 
 void Landed::clear() {
@@ -31,19 +37,20 @@ void Landed::clear() {
 }
 
 void Landed::add(const PlacedLine& line, int guide) {
-  lines_.push_back({line.lineScreen, guide, line.lineScreen.middle() - line.baseScreen.middle()});
+  const int parameter = static_cast<int>(line.parameter);
+  lines_.push_back({line.lineScreen, guide, line.lineScreen.middle() - line.baseScreen.middle(), parameter});
   for (const auto* extension : {&line.extensionStart, &line.extensionEnd}) {
-    for (std::size_t i = 1; i < extension->size(); ++i) extensions_.push_back({(*extension)[i - 1], (*extension)[i]});
+    for (std::size_t i = 1; i < extension->size(); ++i) extensions_.push_back({{(*extension)[i - 1], (*extension)[i]}, parameter});
   }
   if (line.label) labels_.push_back(*line.label);
 }
 
 void Landed::add(const Segment2& base, const Segment2& foot, const Segment2& line) {
   lines_.push_back({line, -1, line.middle() - base.middle()});
-  extensions_.push_back({foot.start, line.start});
-  extensions_.push_back({foot.end, line.end});
-  if (foot.start != base.start) extensions_.push_back({base.start, foot.start});
-  if (foot.end != base.end) extensions_.push_back({base.end, foot.end});
+  extensions_.push_back({{foot.start, line.start}});
+  extensions_.push_back({{foot.end, line.end}});
+  if (foot.start != base.start) extensions_.push_back({{base.start, foot.start}});
+  if (foot.end != base.end) extensions_.push_back({{base.end, foot.end}});
 }
 
 void Landed::backTo(const Mark& mark) {
@@ -55,36 +62,48 @@ void Landed::backTo(const Mark& mark) {
 void Landed::add(const PlacedHandle& handle, const View& view) {
   labels_.push_back(handle.box);
   if (!handle.arc) {
-    if (handle.placement != PlacementKind::kInside) extensions_.push_back({handle.anchor, handle.box.center()});
+    if (handle.placement != PlacementKind::kInside) extensions_.push_back({{handle.anchor, handle.box.center()}});
     return;
   }
   // Two chords and the arms come near enough to an arc for what keeps away from it.
   const Arc& arc = *handle.arc;
   const Vec2 center = view.toScreen(arc.center);
   Vec2 last = view.toScreen(arc.at(0));
-  extensions_.push_back({center, last});
+  extensions_.push_back({{center, last}});
   for (const double share : {0.5, 1.0}) {
     const Vec2 next = view.toScreen(arc.at(arc.angleRad * share));
     lines_.push_back({{last, next}, -1, Vec2(0.0)});
     last = next;
   }
-  extensions_.push_back({center, last});
+  extensions_.push_back({{center, last}});
 }
 
 Landed::Crossings Landed::crossings(const Segment2& base, const Segment2& foot, const Segment2& line) const {
-  // A foot that is the base line's own end makes a part of no length, which crosses nothing.
-  const std::array<Segment2, 5> parts{line, Segment2{foot.start, line.start}, Segment2{foot.end, line.end}, Segment2{base.start, foot.start},
-                                      Segment2{base.end, foot.end}};
+  const auto parts = partsOf(base, foot, line);
   Crossings found;
   for (std::size_t i = 0; i < parts.size(); ++i) {
     const Segment2& part = parts[i];
     const bool overLine = std::ranges::any_of(lines_, [&](const Line& l) { return segmentsCross(part, l.segment, kCrossingPx); });
-    const bool overExtension = std::ranges::any_of(extensions_, [&](const Segment2& e) { return segmentsCross(part, e, kCrossingPx); });
+    const bool overExtension = std::ranges::any_of(extensions_, [&](const Extension& e) { return segmentsCross(part, e.segment, kCrossingPx); });
     found.lines = found.lines || overLine || overExtension;
     found.extensions = found.extensions || (i == 0 ? overExtension : overLine);
     found.labels = found.labels || std::ranges::any_of(labels_, [&](const Box2& label) { return meets(part, label); });
   }
   return found;
+}
+
+Landed::Tangle Landed::tangle(const Segment2& base, const Segment2& foot, const Segment2& line) const {
+  Tangle tangle;
+  const auto crossed = std::ranges::find_if(extensions_, [&](const Extension& e) { return segmentsCross(line, e.segment, kCrossingPx); });
+  if (crossed != extensions_.end()) tangle = {1, crossed->parameter};
+  const auto parts = partsOf(base, foot, line);
+  const std::span<const Segment2> own = std::span(parts).subspan(1);
+  for (const Line& l : lines_) {
+    if (std::ranges::none_of(own, [&](const Segment2& part) { return segmentsCross(part, l.segment, kCrossingPx); })) continue;
+    ++tangle.lines;
+    tangle.parameter = l.parameter;
+  }
+  return tangle;
 }
 
 bool Landed::nestsWithin(const Segment2& base, const Segment2& line, int guide) const {
@@ -118,14 +137,14 @@ bool Landed::runsInto(const Segment2& segment) const {
 bool Landed::hasRoom(const Segment2& line, int guide) const {
   return std::ranges::none_of(lines_,
                               [&](const Line& l) { return l.guide != guide && distanceBetween(l.segment, line) < kHandleSpacingPx; }) &&
-         std::ranges::none_of(extensions_, [&](const Segment2& e) { return segmentsCross(e, line, kCrossingPx); }) &&
+         std::ranges::none_of(extensions_, [&](const Extension& e) { return segmentsCross(e.segment, line, kCrossingPx); }) &&
          std::ranges::none_of(labels_, [&](const Box2& label) { return meets(line, label.grown(kLabelClearancePx)); });
 }
 
 bool Landed::hasRoom(const Box2& label) const {
   const Box2 grown = label.grown(kLabelClearancePx);
   return std::ranges::none_of(lines_, [&](const Line& l) { return meets(l.segment, grown); }) &&
-         std::ranges::none_of(extensions_, [&](const Segment2& e) { return meets(e, grown); }) &&
+         std::ranges::none_of(extensions_, [&](const Extension& e) { return meets(e.segment, grown); }) &&
          std::ranges::none_of(labels_, [&](const Box2& other) { return grown.overlaps(other); });
 }
 

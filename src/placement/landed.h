@@ -33,6 +33,13 @@ class Landed {
   };
   [[nodiscard]] Crossings crossings(const Segment2& base, const Segment2& foot, const Segment2& line) const;
 
+  /// The lines that run across another's extension line, of this one and those that have landed.
+  struct Tangle {
+    int lines = 0;           ///< how many
+    int parameter = -1;      ///< whose line, or extension line, is in it with this one; -1 without one, and for a handle that is no line
+  };
+  [[nodiscard]] Tangle tangle(const Segment2& base, const Segment2& foot, const Segment2& line) const;
+
   /// Whether a line is nearer to the model than one that has landed, on another guide, and runs beside it on the same side of their base lines.
   [[nodiscard]] bool nestsWithin(const Segment2& base, const Segment2& line, int guide) const;
 
@@ -55,9 +62,14 @@ class Landed {
     Segment2 segment;
     int guide = -1;
     Vec2 away{0.0};   ///< px, from the middle of its base line to its own
+    int parameter = -1;
+  };
+  struct Extension {
+    Segment2 segment;
+    int parameter = -1;
   };
   std::vector<Line> lines_;
-  std::vector<Segment2> extensions_;
+  std::vector<Extension> extensions_;
   std::vector<Box2> labels_;
 };
 

@@ -263,7 +263,7 @@ std::optional<HiddenReason> placeArc(const OtherHandle& handle, const OtherHandl
     const Obb& box = context.scopes[scope].box;
     const double metresPerPx = context.view.metresPerPixelAt(box.origin);
     const Arc home = arcAt(handle.annotation, box, handle.value * kRadPerDeg, kArcMinRadiusPx * metresPerPx, kArcMaxRadiusPx * metresPerPx);
-    const double facingShare = std::abs(glm::dot(home.axis, context.view.directionTo(home.center)));
+    const double facingShare = std::abs(glm::dot(home.axis, context.view.directionTo(box.center())));
     if (facingShare < std::sin(kForeshortenedAngleRad * (handle.history.hidden() ? kShowAgainFactor : 1.0))) continue;
     facing = true;
     const auto offer = [&](const Arc& arc, PlacementKind placement, int direction, double offerScore) {

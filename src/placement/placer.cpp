@@ -6,11 +6,13 @@
 #include <utility>
 
 #include "placement/chooser.h"
+#include "placement/mending.h"
 #include "placement/other_handles.h"
 #include "placement/visibility.h"
 
 // Algorithm 1 of the paper, one parameter after the other: what is there is measured (measured.h), a place is chosen (chooser.h) against all that has
-// landed before (occupied.h), and is written into the layout.
+// landed before (occupied.h), and is written into the layout. While only the camera moves, lines keep their places and what can be done better is mended
+// little by little (mending.h).
 
 namespace dimline {
 
@@ -58,6 +60,15 @@ PlacedHandle& append(std::vector<PlacedHandle>& to, std::vector<PlacedHandle>& s
   return append(to, spare);
 }
 
+/// What is to be placed in a frame.
+struct FrameToPlace {
+  const View& view;
+  const DistanceFields& fields;
+  const Values& values;
+  std::span<const PlacedLine> held;
+  bool viewMoved = false;   ///< since the last frame
+};
+
 /// Empties the list, keeping what was in it as spare.
 template <typename Thing>
 void recycle(std::vector<Thing>& list, std::vector<Thing>& spare) {
@@ -79,6 +90,8 @@ struct Placer::State {
     std::vector<History> histories;   ///< one a parameter
     std::vector<Sight> sights;        ///< one a scope
     LookAhead lookAhead;
+    Mending mending;
+    bool held = false;                ///< whether a line was held in the last frame
     Mat4 viewProjection{0.0};
     Vec3 forward{0.0};
     std::size_t crowded = 0;          ///< how many of the shortest lines are hidden for want of room
@@ -88,6 +101,19 @@ struct Placer::State {
   Past past;
   bool showHidden = false;
   Past beforePlacing;                 ///< in a viewport that may be too small: what to go back to
+  Outcome outcome;
+  bool firm = false;                  ///< see ChoiceContext
+  struct Avoided {
+    std::size_t rank = 0;
+    Identity place;
+  };
+  std::optional<Avoided> avoided;     ///< by the line of that rank, in an attempt to find another place for it
+
+  // The best attempt at this frame so far, while another is made; and what all of them begin with.
+  Past bestPast;
+  Outcome bestOutcome;
+  Layout bestLayout;
+  Past beforeAttempts;
 
   // Memory of one frame, kept so that the next allocates nothing.
   Occupied occupied;
@@ -100,14 +126,17 @@ struct Placer::State {
   std::vector<PlacedHandle> spareHandles;
 
   bool beginFrame(const View& view);
-  bool placeAll(const View& view, const DistanceFields& fields, const Values& values, std::size_t crowded, bool viewMoved, std::span<const PlacedLine> held,
-                Layout& layout);
+  void mend(const FrameToPlace& frame, Layout& layout);
+  void swapWithBest(Layout& layout);
+  void placeWithRoom(const FrameToPlace& frame, Layout& layout);
+  bool placeAll(const FrameToPlace& frame, std::size_t crowded, Layout& layout);
   void findVisible(const View& view, const ScopeVisibility* visibility, int framesOn);
   [[nodiscard]] std::span<const char> usableScopes(const Annotation& annotation) const {
     return annotation.occlusion && !showHidden ? seen : inView;
   }
   [[nodiscard]] BaseLineTally scopesOutOfSight(const Measured& measured) const;
-  bool placeLines(Measured& measured, const ChoiceContext& context, double value, Layout& layout);
+  bool placeLines(std::size_t rank, const ChoiceContext& context, double value, Layout& layout);
+  void judgeChoice(std::size_t rank, const History& history);
   void landChoice(const Measured& measured, double value, Layout& layout);
   void landHeld(const PlacedLine& held, Layout& layout);
   void placeOther(const Measured& measured, const View& view, double value, Layout& layout);
@@ -122,6 +151,7 @@ void Placer::forget() {
   State::Past& past = state_->past;
   for (std::size_t i = 0; i < past.histories.size(); ++i) past.histories[i] = History(static_cast<std::int32_t>(i));
   past.lookAhead.forget();
+  past.mending = {};
   past.sights.clear();
 }
 
@@ -179,28 +209,62 @@ void Placer::place(const View& view, const DistanceFields& fields, const Values&
   s.findVisible(view, visibility, sceneChanged ? kReturnFrames : viewMoved ? std::max(static_cast<int>(turnRad / kFrameTurnRad), 1) : 0);
   facePlanes(s.objectPlanes, view, s.objectPlaneUses);
 
-  const auto isMeasure = [&](const Measured& m) { return s.parameters[m.parameter].measure; };
-  const std::size_t all = s.order.size() + s.others.size() - static_cast<std::size_t>(std::ranges::count_if(s.order, isMeasure));
-  const auto roomFor = static_cast<std::size_t>(std::ceil(view.widthPx() * view.heightPx() / kCrowdedPx2));
-  const std::size_t mostCrowded = s.showHidden || roomFor >= all ? 0 : std::min(all - roomFor, s.order.size());
-  std::size_t crowded = std::min(s.past.crowded, mostCrowded);
-  // Now and then it is tried whether one that was hidden has room again.
-  if (crowded > 0 && viewMoved && s.past.crowdedFrames >= kReturnFrames) --crowded;
-  if (mostCrowded > 0) s.beforePlacing = s.past;
-  bool tooFew = false;
-  while (s.placeAll(view, fields, values, crowded, viewMoved, held, layout) && crowded < mostCrowded) {
-    s.past = s.beforePlacing;
-    ++crowded;
-    tooFew = true;
-  }
-  s.past.crowded = crowded;
-  s.past.crowdedFrames = tooFew ? 0 : std::min(s.past.crowdedFrames + (viewMoved ? 1 : 0), kReturnFrames);
+  const FrameToPlace frame{view, fields, values, held, viewMoved};
+  // What was edited, and a line that was let go of, may find another place at once.
+  const bool wasHeld = std::exchange(s.past.held, !held.empty());
+  s.firm = !sceneChanged && held.empty() && !wasHeld;
+  const bool mends = s.firm && viewMoved;
+  if (mends) s.beforeAttempts = s.past;
+  s.placeWithRoom(frame, layout);
+  if (mends) s.mend(frame, layout);
 
   layout.view = view;
   layout.visibleScopes.clear();
   for (std::size_t i = 0; i < s.scopes.size(); ++i) {
     if (s.seen[i] != 0) layout.visibleScopes.push_back(i);
   }
+}
+
+/// Other attempts at the frame that has been placed, in each of which one line must find another place; the best one stays.
+void Placer::State::mend(const FrameToPlace& frame, Layout& layout) {
+  Mending mending = past.mending;
+  mending.begin();
+  while (const auto rank = mending.next(outcome)) {
+    avoided = {*rank, past.histories[order[*rank].parameter].last()};
+    swapWithBest(layout);
+    past = beforeAttempts;
+    placeWithRoom(frame, layout);
+    avoided.reset();
+    if (!outcome.betterThan(bestOutcome)) swapWithBest(layout);
+  }
+  past.mending = mending;
+}
+
+void Placer::State::swapWithBest(Layout& layout) {
+  std::swap(bestPast, past);
+  std::swap(bestOutcome, outcome);
+  std::swap(bestLayout, layout);
+}
+
+/// Places everything, but as many of the shortest lines as have to go in a small viewport.
+void Placer::State::placeWithRoom(const FrameToPlace& frame, Layout& layout) {
+  const View& view = frame.view;
+  const auto isMeasure = [&](const Measured& m) { return parameters[m.parameter].measure; };
+  const std::size_t all = order.size() + others.size() - static_cast<std::size_t>(std::ranges::count_if(order, isMeasure));
+  const auto roomFor = static_cast<std::size_t>(std::ceil(view.widthPx() * view.heightPx() / kCrowdedPx2));
+  const std::size_t mostCrowded = showHidden || roomFor >= all ? 0 : std::min(all - roomFor, order.size());
+  std::size_t crowded = std::min(past.crowded, mostCrowded);
+  // Now and then it is tried whether one that was hidden has room again.
+  if (crowded > 0 && frame.viewMoved && past.crowdedFrames >= kReturnFrames) --crowded;
+  if (mostCrowded > 0) beforePlacing = past;
+  bool tooFew = false;
+  while (placeAll(frame, crowded, layout) && crowded < mostCrowded) {
+    past = beforePlacing;
+    ++crowded;
+    tooFew = true;
+  }
+  past.crowded = crowded;
+  past.crowdedFrames = tooFew ? 0 : std::min(past.crowdedFrames + (frame.viewMoved ? 1 : 0), kReturnFrames);
 }
 
 /// Ages what is remembered. Returns whether the view has changed since the last frame.
@@ -215,8 +279,8 @@ bool Placer::State::beginFrame(const View& view) {
 }
 
 /// Places everything but the `crowded` shortest lines. Returns whether a line runs into another.
-bool Placer::State::placeAll(const View& view, const DistanceFields& fields, const Values& values, std::size_t crowded, bool viewMoved,
-                             std::span<const PlacedLine> held, Layout& layout) {
+bool Placer::State::placeAll(const FrameToPlace& frame, std::size_t crowded, Layout& layout) {
+  const auto& [view, fields, values, held, viewMoved] = frame;
   recycle(layout.lines, spareLines);
   spareHandles.reserve(others.size());
   recycle(layout.others, spareHandles);
@@ -228,10 +292,11 @@ bool Placer::State::placeAll(const View& view, const DistanceFields& fields, con
   for (const Measured& other : others) {
     if (stays(other)) placeOther(other, view, values.at(other.parameter), layout);
   }
+  outcome.begin(order.size());
   bool cramped = false;
   const ObjectPlanesInFrame object{objectPlanes, objectPlaneUses, kSamePlaneDistance * modelSizeM};
   for (std::size_t rank = 0; rank < order.size(); ++rank) {
-    Measured& measured = order[rank];
+    const Measured& measured = order[rank];
     past.lookAhead.reach(rank);
     const auto inHand = std::ranges::find(held, measured.parameter, &PlacedLine::parameter);
     if (inHand != held.end()) {
@@ -240,9 +305,10 @@ bool Placer::State::placeAll(const View& view, const DistanceFields& fields, con
       layout.hidden.push_back({measured.parameter, HiddenReason::kCrowded});
       past.histories[measured.parameter].choseNone();
     } else {
-      cramped |= placeLines(measured,
+      const Identity* avoid = avoided && avoided->rank == rank ? &avoided->place : nullptr;
+      cramped |= placeLines(rank,
                             {view, fields, occupied, past.lookAhead, object, scopes, usableScopes(measured.annotation), object.toleranceM, viewMoved,
-                             showHidden},
+                             firm, avoid, showHidden},
                             values.at(measured.parameter), layout);
     }
   }
@@ -283,7 +349,8 @@ BaseLineTally Placer::State::scopesOutOfSight(const Measured& measured) const {
 }
 
 /// Returns whether the line runs into another.
-bool Placer::State::placeLines(Measured& measured, const ChoiceContext& context, double value, Layout& layout) {
+bool Placer::State::placeLines(std::size_t rank, const ChoiceContext& context, double value, Layout& layout) {
+  Measured& measured = order[rank];
   History& history = past.histories[measured.parameter];
   label(measured, parameters[measured.parameter], value);
   if (!chooser.choose(measured, context, history)) {
@@ -293,11 +360,31 @@ bool Placer::State::placeLines(Measured& measured, const ChoiceContext& context,
     history.choseNone();
     return false;
   }
+  judgeChoice(rank, history);
   const Candidate& winner = chooser.winner();
   history.choose(winner.identity, winner.placement == PlacementKind::kOutside ? winner.offsetM : -1,
                  away(winner.baseScreen, winner.lineScreen));
   landChoice(measured, value, layout);
   return chooser.cramped();
+}
+
+/// Adds what the choice is worth, and what is amiss with it, to the frame's outcome.
+void Placer::State::judgeChoice(std::size_t rank, const History& history) {
+  const Candidate& winner = chooser.winner();
+  const auto [score, tangle, nestsWithin] = chooser.worth(occupied.landed());
+  outcome.worth += score;
+  outcome.outside[rank] = winner.placement != PlacementKind::kInside ? 1 : 0;
+  if (nestsWithin) outcome.amiss[rank] = 1;
+  if (tangle.lines > 0) {
+    outcome.amiss[rank] = 1;
+    const auto other = std::ranges::find(order, static_cast<std::size_t>(tangle.parameter), &Measured::parameter);
+    if (tangle.parameter >= 0 && other != order.end()) outcome.amiss[static_cast<std::size_t>(other - order.begin())] = 1;
+  }
+  if (history.any() && !history.stays(winner.identity, away(winner.baseScreen, winner.lineScreen))) {
+    outcome.changes += 1;
+    outcome.changed[rank] = 1;
+  }
+  if (history.leftLately(winner.identity)) outcome.changes += kChangesOfReturn;
 }
 
 /// Writes the chosen lines into the layout.

@@ -43,3 +43,38 @@ TEST_CASE("what was added after a mark is taken back") {
   CHECK_FALSE(landed.comesWithin(10, {{0, 255}, {400, 255}}));
   CHECK(landed.comesWithin(10, {{100, 45}, {200, 45}}));
 }
+
+TEST_CASE("a tangle counts the lines across extension lines, this one and those that have landed") {
+  // The landed line is parameter 5; its extension lines run at x = 100 and x = 200 from y = 100 to y = 40.
+  PlacedLine line;
+  line.parameter = 5;
+  line.baseScreen = {{100, 100}, {200, 100}};
+  line.lineScreen = {{100, 40}, {200, 40}};
+  line.extensionStart = {{100, 100}, {100, 40}};
+  line.extensionEnd = {{200, 100}, {200, 40}};
+  Landed landed;
+  landed.add(line, -1);
+
+  const Segment2 beside{{300, 100}, {400, 100}};
+  CHECK(landed.tangle(beside, beside, {{300, 20}, {400, 20}}).lines == 0);
+  CHECK(landed.tangle(beside, beside, {{300, 20}, {400, 20}}).parameter == -1);
+
+  // From x = 150 to 300: farther out its extension line crosses the landed line, nearer it runs across the landed one's extension line.
+  const Segment2 overlapping{{150, 100}, {300, 100}};
+  const Landed::Tangle farther = landed.tangle(overlapping, overlapping, {{150, 10}, {300, 10}});
+  CHECK(farther.lines == 1);
+  CHECK(farther.parameter == 5);
+  const Landed::Tangle nearer = landed.tangle(overlapping, overlapping, {{150, 70}, {300, 70}});
+  CHECK(nearer.lines == 1);
+  CHECK(nearer.parameter == 5);
+
+  // Two extension lines that cross each other are no tangle.
+  const Segment2 crossing{{50, 50}, {50, 200}};
+  CHECK(landed.tangle(crossing, crossing, {{80, 50}, {80, 200}}).lines == 0);
+
+  PlacedLine second = line;
+  second.parameter = 6;
+  second.lineScreen = {{100, 20}, {200, 20}};
+  landed.add(second, -1);
+  CHECK(landed.tangle(overlapping, overlapping, {{150, 0}, {300, 0}}).lines == 2);   // its extension line runs across both
+}

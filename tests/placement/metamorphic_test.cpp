@@ -57,7 +57,7 @@ std::vector<Camera> flight() {
   std::vector<Camera> all;
   for (double azimuth = 0; azimuth < 360; azimuth += 3) all.push_back(orbitCamera({0, 2.5, 0}, 30, azimuth + 0.7, 22));
   for (double azimuth = 0; azimuth < 360; azimuth += 5) {
-    all.push_back(orbitCamera({0, 2.5, 0}, 30, azimuth + 0.3, 35));
+    all.push_back(orbitCamera({0, 2.5, 0}, 30, azimuth + 1.1, 35));
     all.back().orthoHeightM = 18;
   }
   return all;

@@ -288,6 +288,31 @@ TEST_CASE("a view that turns far in one frame begins anew") {
   }
 }
 
+TEST_CASE("while the camera turns, lines keep their places where frames on their own would change them") {
+  Stage stage(boxWithDoor());
+  int changes = 0;
+  int changesOnTheirOwn = 0;
+  std::vector<PlacedLine> last;
+  std::vector<PlacedLine> lastOnItsOwn;
+  const auto changed = [](const std::vector<PlacedLine>& from, const std::vector<PlacedLine>& to) {
+    return static_cast<int>(std::ranges::count_if(to, [&](const PlacedLine& line) {
+      const auto was = std::ranges::find(from, line.parameter, &PlacedLine::parameter);
+      return was != from.end() && was->identity != line.identity;
+    }));
+  };
+  Stage onItsOwn(boxWithDoor());
+  for (double azimuth = 0; azimuth < 360; azimuth += 1) {
+    const Camera camera = orbitCamera({0, 2.5, 0}, 30, azimuth, 22);
+    changes += changed(last, stage.look(camera).lines);
+    last = stage.layout.lines;
+    onItsOwn.placer.forget();
+    changesOnTheirOwn += changed(lastOnItsOwn, onItsOwn.look(camera).lines);
+    lastOnItsOwn = onItsOwn.layout.lines;
+  }
+  CHECK(changes > 0);
+  CHECK(changes < changesOnTheirOwn);
+}
+
 TEST_CASE("in a viewport that is too small the shortest lines are hidden until none runs into another, and never in one that is not") {
   Stage stage(boxWithDoor());
   std::size_t crowded = 0;
