@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include "core/constants.h"
@@ -81,6 +82,22 @@ std::vector<Cluster> clusterBaseLines(const Annotation& annotation, std::span<co
   }
   for (Cluster& cluster : clusters) measure(cluster);
   return clusters;
+}
+
+std::int32_t successor(const Cluster& was, std::span<const Cluster> now) {
+  // An edit turns a wall by little from one frame to the next; what is at right angles to it is another wall.
+  constexpr double kTurnedCos = 0.9;
+  std::int32_t nearest = -1;
+  double leastM = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < now.size(); ++i) {
+    const Cluster& is = now[i];
+    if (is.plane.inFace != was.plane.inFace || glm::dot(is.along, was.along) < kTurnedCos || glm::dot(is.plane.normal, was.plane.normal) < kTurnedCos) continue;
+    const double apartM = glm::length(is.sides[0].middle() - was.sides[0].middle()) + glm::length(is.sides[1].middle() - was.sides[1].middle());
+    if (apartM >= leastM) continue;
+    leastM = apartM;
+    nearest = static_cast<std::int32_t>(i);
+  }
+  return nearest;
 }
 
 BaseLine chainBaseLine(const Cluster& cluster, int side) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -34,6 +35,9 @@ struct Cluster {
 /// are the same for all views can be clustered, so the linear types alone give clusters. `modelSizeM` scales kSamePlaneDistance.
 std::vector<Cluster> clusterBaseLines(const Annotation& annotation, std::span<const Scope> scopes,
                                       std::span<const std::size_t> measuredScopes, double modelSizeM);
+
+/// Which of `now` is the cluster that `was` has become in an edited model: with the same faces, turned by little, and nearest; -1 when there is none.
+std::int32_t successor(const Cluster& was, std::span<const Cluster> now);
 
 /// The chain base line of a side, as a base line that slips away from the members.
 BaseLine chainBaseLine(const Cluster& cluster, int side);

@@ -41,6 +41,17 @@ class History {
   void choose(const Identity& choice, double offsetM, const Segment2& awayPx = {});
   /// The model has changed: offsets of the last frame mean nothing any more.
   void forgetOffset();
+  /// The model's clusters have other numbers now: each chain that is remembered gets the number that `numberNow` gives for its old one, or is forgotten when that is negative.
+  template <typename NumberNow>
+  void renumberChains(NumberNow numberNow) {
+    const auto renumber = [&](Identity& identity) {
+      if (identity.chain < 0) return;
+      identity.chain = numberNow(identity.chain);
+      if (identity.chain < 0) identity = {.parameter = identity.parameter};
+    };
+    renumber(last_);
+    for (Left& left : left_) renumber(left.identity);
+  }
   /// Nothing was shown.
   void choseNone();
   /// Whether there was a last frame and nothing was shown in it.

@@ -125,6 +125,7 @@ struct Placer::State {
   std::vector<PlacedLine> spareLines;
   std::vector<PlacedHandle> spareHandles;
 
+  void keepChains(std::span<const Measured> before, const Measured& now);
   bool beginFrame(const View& view);
   void mend(const FrameToPlace& frame, Layout& layout);
   void swapWithBest(Layout& layout);
@@ -186,15 +187,26 @@ void Placer::setScene(const Model& model, const Scene& scene) {
   }
   for (History& history : s.past.histories) history.forgetOffset();
   s.past.sceneChanged = true;
-  s.order.clear();
+  const std::vector<Measured> before = std::exchange(s.order, {});
   s.others.clear();
   for (Measured& measured : measure(model, s.scopes, s.modelSizeM)) {
+    if (sameModel) s.keepChains(before, measured);
     (isLine(measured.annotation.type) ? s.order : s.others).push_back(std::move(measured));
   }
   std::ranges::stable_sort(s.order, {}, &Measured::meanLengthM);
   // What is only read takes no place from what can be edited.
   const auto readOnly = std::ranges::stable_partition(s.order, [&](const Measured& m) { return !s.parameters[m.parameter].measure; });
   s.objectPlanes = objectPlanes(fixedBaseLines({s.order.begin(), readOnly.begin()}, s.scopes), scene.bounds);
+}
+
+/// In a model that an edit has rebuilt, chains are known by the clusters that theirs have become. As many clusters as before are the same ones.
+void Placer::State::keepChains(std::span<const Measured> before, const Measured& now) {
+  const auto was = std::ranges::find(before, now.parameter, &Measured::parameter);
+  if (was == before.end() || was->clusters.size() == now.clusters.size()) return;
+  past.histories[now.parameter].renumberChains([&](std::int32_t number) {
+    const auto old = static_cast<std::size_t>(number);
+    return old < was->clusters.size() ? successor(was->clusters[old], now.clusters) : -1;
+  });
 }
 
 void Placer::place(const View& view, const DistanceFields& fields, const Values& values, Layout& layout,

@@ -101,6 +101,35 @@ TEST_CASE("planes that differ by more than the tolerance are different clusters"
   CHECK(front->members.size() == 10);
 }
 
+TEST_CASE("a cluster is found again in an edited model, whatever its number is there") {
+  const std::vector<Scope> scopes = facade();
+  const auto before = clusterBaseLines(widthOf("Window"), scopes, std::vector<std::size_t>{0, 1, 2, 3, 4, 5}, 10);
+  // A row more, listed first, and all of it a little nearer.
+  std::vector<Scope> edited;
+  for (const double x : {0.0, 2.0, 5.0}) edited.push_back({"Window", static_cast<std::uint32_t>(edited.size()), boxAt({x, 7, 0}, {1, 1.5, 0.2})});
+  for (Scope scope : scopes) {
+    scope.box.origin.z += 0.2;
+    edited.push_back(scope);
+  }
+  const auto after = clusterBaseLines(widthOf("Window"), edited, std::vector<std::size_t>{0, 1, 2, 3, 4, 5, 6, 7, 8}, 10);
+  REQUIRE(after.size() == before.size() + 2);
+  for (const Cluster& was : before) {
+    const std::int32_t number = successor(was, after);
+    REQUIRE(number >= 0);
+    const Cluster& is = after[static_cast<std::size_t>(number)];
+    CHECK(is.plane.normal == was.plane.normal);
+    // The heads and sills of a row stay those of that row; front and back have a row more.
+    if (was.plane.normal.y != 0) CHECK(is.members[0].segment.start.y == was.members[0].segment.start.y);
+    if (was.plane.normal.z != 0) CHECK(is.members[0].segment.start.z == Approx(was.members[0].segment.start.z + 0.2));
+  }
+  // Nothing is left of what runs across.
+  Annotation heights = widthOf("Window");
+  heights.orient = Orient::kUp;
+  const auto upright = clusterBaseLines(heights, scopes, std::vector<std::size_t>{0, 1, 2, 3, 4, 5}, 10);
+  CHECK(successor(upright[0], after) == -1);
+  CHECK(successor(upright[0], {}) == -1);
+}
+
 TEST_CASE("stretches that touch are free, stretches that overlap are not") {
   TakenStretches taken;
   CHECK(taken.take(0, 1, 1e-6));

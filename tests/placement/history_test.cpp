@@ -81,3 +81,24 @@ TEST_CASE("how long a choice is held, and whether there was one, is remembered")
   history.choose(side(1), 1.0);
   CHECK_FALSE(history.hidden());
 }
+
+TEST_CASE("chains that are remembered get the numbers of another model, and those that are gone are forgotten") {
+  const auto chain = [](std::int32_t number) { return Identity{.parameter = 0, .chain = number, .baseLine = 0, .plane = 0, .direction = 1}; };
+  History history(0);
+  history.choose(chain(2), 1);
+  history.age();
+  history.choose(chain(5), 1);
+  history.renumberChains([](std::int32_t number) { return number == 5 ? 7 : 3; });
+  CHECK(history.last() == chain(7));
+  CHECK(history.leftLately(chain(3)));
+  CHECK_FALSE(history.leftLately(chain(2)));
+  history.renumberChains([](std::int32_t) { return -1; });
+  CHECK_FALSE(history.any());
+  CHECK_FALSE(history.leftLately(chain(3)));
+
+  History single(0);
+  single.choose({.parameter = 0, .scopeIndex = 1, .baseLine = 0, .plane = 0, .direction = 1}, 1);
+  const Identity before = single.last();
+  single.renumberChains([](std::int32_t) { return -1; });
+  CHECK(single.last() == before);
+}
