@@ -28,8 +28,9 @@ class DragReadout {
     this.#box = new FloatingBox(stage, this.#node);
   }
 
-  show({ title, text, difference, handle, direction, pointer, limit }, hint) {
+  show({ title, text, difference, handle, direction, pointer, limit }, hint, others) {
     const touch = pointer === "touch";
+    const begins = this.#sides === null;
     this.#sides ??= this.#freeSides(handle, direction);
     setText(this.#title, title);
     setText(this.#value, text);
@@ -43,7 +44,7 @@ class DragReadout {
       if (limit && touch) navigator.vibrate?.(kNudgeMs);
     }
     if (touch) this.#box.placeMiddle(handle[0], handle[1] - kClearTouchPx, handle[1] + kClearTouchPx);
-    else this.#placeOff(handle);
+    else this.#placeOff(handle, begins ? others : null);
   }
 
   hide() {
@@ -61,8 +62,8 @@ class DragReadout {
     return [across, outwards([dx, dy]), [-across[0], -across[1]]];
   }
 
-  // It stays on its side of the handle until the picture's edge would push it onto the handle there.
-  #placeOff([x, y]) {
+  // At the beginning of the drag it takes the side where it hides least. There it stays until the picture's edge would push it onto the handle.
+  #placeOff([x, y], others) {
     const [width, height] = this.#box.size;
     const boxAt = ([sx, sy]) => {
       const clear = kClearMousePx + Math.abs(sx) * (width / 2) + Math.abs(sy) * (height / 2);
@@ -73,6 +74,10 @@ class DragReadout {
       const away = Math.hypot(Math.max(left - x, x - left - width, 0), Math.max(top - y, y - top - height, 0));
       return away >= kLeastClearPx;
     };
+    if (others) {
+      const hidden = this.#sides.map((side) => (isClear(side) ? this.#box.hides(boxAt(side), others) : Infinity));
+      this.#side = hidden.indexOf(Math.min(...hidden));
+    }
     if (!isClear(this.#sides[this.#side])) this.#side = Math.max(0, this.#sides.findIndex(isClear));
     this.#box.place(...boxAt(this.#sides[this.#side]));
   }
@@ -90,8 +95,11 @@ export class DragReadouts {
     this.#stage = stage;
   }
 
-  /** @param {object[]} gestures as Core.gestures() gives them, with `title` and `canBeFine`: whether keys change its steps */
-  update(gestures) {
+  /**
+   * @param {object[]} gestures as Core.gestures() gives them, with `title` and `canBeFine`: whether keys change its steps
+   * @param {[number, number, number, number][]} others what should not be hidden: numbers of other lines, switches and choices
+   */
+  update(gestures, others) {
     for (const [id, readout] of this.#shown) {
       if (gestures.some((gesture) => gesture.id === id)) continue;
       readout.hide();
@@ -105,7 +113,7 @@ export class DragReadouts {
         if (this.#hintDue && gesture.pointer !== "touch" && gesture.canBeFine) this.#hinted = gesture.id;
       }
       const hint = gesture.id === this.#hinted ? "Shift: finer · Alt: any value" : "";
-      this.#shown.get(gesture.id).show(gesture, hint);
+      this.#shown.get(gesture.id).show(gesture, hint, others);
     }
   }
 }

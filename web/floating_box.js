@@ -1,6 +1,8 @@
 /** A small dark box of text over the picture, which keeps within it. What it says is its owner's business. */
 
 const kMarginPx = 6; // from the picture's edge
+const kRoomPx = 3; // to what should be seen
+const kHardlyPx2 = 30; // a corner of a number, which can be read all the same
 
 export class FloatingBox {
   #stage;
@@ -50,13 +52,32 @@ export class FloatingBox {
     this.place(x - width / 2, (fits(y) || !fits(otherY) ? y : otherY) - height / 2);
   }
 
-  /** Beside a mouse's arrow, but above a finger. */
-  placeBeside({ x, y, touch }) {
-    const [width, height] = this.size;
-    if (touch) return this.place(x - width / 2, y - height - 40);
-    const below = y + 20;
-    this.place(x + 14, below + height + kMarginPx <= this.room[1] ? below : y - height - 12);
+  /**
+   * The first of several places for its corner at which it hides least of what is there.
+   * @param {[number, number][]} places
+   * @param {[number, number, number, number][]} boxes what should be seen
+   * @param {number} usual index of the place that it keeps while another one is hardly better
+   * @returns {number} index of the place that was taken
+   */
+  placeClear(places, boxes, usual) {
+    const hidden = places.map((place) => this.hides(place, boxes));
+    const best = hidden.indexOf(Math.min(...hidden));
+    const taken = hidden[usual] <= hidden[best] + kHardlyPx2 ? usual : best;
+    this.place(...places[taken]);
+    return taken;
   }
+
+  /** How much (px²) of these boxes it hides with its corner there. */
+  hides([x, y], boxes) {
+    const [width, height] = this.size;
+    const [left, top] = this.within(x, y);
+    const own = [left - kRoomPx, top - kRoomPx, left + width + kRoomPx, top + height + kRoomPx];
+    return boxes.reduce((sum, box) => sum + overlap(own, box), 0);
+  }
+}
+
+function overlap([ax0, ay0, ax1, ay1], [bx0, by0, bx1, by1]) {
+  return Math.max(0, Math.min(ax1, bx1) - Math.max(ax0, bx0)) * Math.max(0, Math.min(ay1, by1) - Math.max(ay0, by0));
 }
 
 /** Changes a node's text where it is another one. */

@@ -101,7 +101,8 @@ export class Overlay {
     const labels = core.labels();
     const gestures = core.gestures();
     const dragged = gestures.length > 0;
-    this.#pills.update(core.pills(), devicePixelRatio);
+    const pills = core.pills();
+    this.#pills.update(pills, devicePixelRatio);
     this.#labels.update(labels, devicePixelRatio);
     this.#field.follow();
     input.dragDirection = gestures.find(({ pointer }) => pointer !== "touch")?.direction;
@@ -110,8 +111,9 @@ export class Overlay {
     const name = focused ? this.#titleOf(focused.name) : this.#hoveredName(labels);
     if (this.#saidOf !== null) this.#readout.moveSentence(this.#labels.boxOf(this.#saidOf));
     if (dragged) this.#readout.silence();
-    this.#dragReadouts.update(gestures.map((gesture) => this.#named(gesture)));
-    this.#readout.update(dragged || this.#field.complains ? "" : name, input.last, focused?.box);
+    const boxes = [...labels, ...pills].filter(({ box, dragged: inHand }) => box && !inHand).map(({ box }) => box);
+    this.#dragReadouts.update(gestures.map((gesture) => this.#named(gesture)), boxes);
+    this.#readout.update(dragged || this.#field.complains ? "" : name, input.last, focused?.box, boxes);
     // Where the Tab key goes is a matter of the picture at rest: nothing changes places under a finger.
     if (!rests || input.active) return;
     arrange(this.#handles, readingOrder([...this.#labels.stops(), ...this.#pills.stops()]));

@@ -5,11 +5,14 @@ import { FloatingBox, setText } from "./floating_box.js";
 
 const kSentenceMs = 4000;
 const kAwayPx = 12; // from the edge of what it belongs to
+const kAboveFingerPx = 40;
 
 export class Readout {
   #title = make("span", { class: "title" });
   #box;
   #sentence = null; // {text, at, untilMs}
+  #text = ""; // what it says
+  #side = 0; // where, of the places that there are
 
   /** @param {HTMLElement} stage the picture's box */
   constructor(stage) {
@@ -22,15 +25,18 @@ export class Readout {
    * @param {string} name of what the pointer rests on, or ""
    * @param {{x: number, y: number, touch: boolean}} pointer
    * @param {[number, number, number, number]} [box] what it belongs to instead, when that is not the pointer
+   * @param {[number, number, number, number][]} [others] what should not be hidden: numbers, switches and choices
    */
-  update(name, pointer, box) {
+  update(name, pointer, box, others = []) {
     if (this.#sentence && performance.now() > this.#sentence.untilMs) this.#sentence = null;
     const text = (box && this.#sentence?.text) || name || this.#sentence?.text || "";
-    if (text) setText(this.#title, text); // or else what fades away keeps its text
     this.#box.shown = Boolean(text);
-    if (!text) return;
-    if (text === name && !box) this.#box.placeBeside(pointer);
-    else this.#placeAt(text === name ? box : this.#sentence.at);
+    if (!text) return; // what fades away keeps its text
+    if (text !== this.#text) this.#side = 0;
+    this.#text = text;
+    setText(this.#title, text);
+    const places = text === name && !box ? this.#besidePointer(pointer) : this.#around(text === name ? box : this.#sentence.at);
+    this.#side = this.#box.placeClear(places, others, this.#side);
   }
 
   /** Says a sentence beside a place in the picture. Gives the time (ms) after which update() takes it away. */
@@ -49,8 +55,25 @@ export class Readout {
     if (this.#sentence && box) this.#sentence.at = box;
   }
 
-  #placeAt([x0, y0, x1, y1]) {
-    const away = (y1 - y0) / 2 + this.#box.size[1] / 2 + kAwayPx;
-    this.#box.placeMiddle((x0 + x1) / 2, (y0 + y1) / 2 - away, (y0 + y1) / 2 + away);
+  // Beside a mouse's arrow, but above a finger.
+  #besidePointer({ x, y, touch }) {
+    const [width, height] = this.#box.size;
+    if (touch) return [[x - width / 2, y - height - kAboveFingerPx]];
+    const [right, below, left, above, level] = [x + 14, y + 20, x - width - 10, y - height - 12, y - height / 2];
+    const near = [[right, below], [right, above], [left, below], [left, above]];
+    const farther = [[right + 12, level], [left - 12, level], [right, below + height], [left, below + height], [right, above - height], [left, above - height]];
+    // Not where the picture's edge would push it onto the pointer.
+    return [...near, ...farther].filter(([, top]) => top !== below || below + height <= this.#box.room[1]);
+  }
+
+  #around([x0, y0, x1, y1]) {
+    const [width, height] = this.#box.size;
+    const [x, y] = [(x0 + x1 - width) / 2, (y0 + y1 - height) / 2];
+    const up = (y1 - y0 + height) / 2 + kAwayPx;
+    const aside = (x1 - x0 + width) / 2 + kAwayPx;
+    const places = [[x, y - up], [x, y + up], [x + aside, y], [x - aside, y], [x + aside, y - up], [x - aside, y - up], [x + aside, y + up], [x - aside, y + up]];
+    // Where the picture's edge would push it onto what it belongs to, it does not stand.
+    const free = places.filter(([left, top]) => this.#box.within(left, top).every((at, i) => at === [left, top][i]));
+    return free.length > 0 ? free : places;
   }
 }

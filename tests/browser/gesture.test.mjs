@@ -108,6 +108,27 @@ test("the cursor shows which way the line goes, at rest and while it is dragged"
   assert.equal(await cursorOf(page), "text");
 });
 
+test("the name of what the mouse rests on hides no number", async () => {
+  const { lines } = await layoutOf(page);
+  const picture = await pictureBox(page);
+  const names = [...new Set(lines.map(({ parameter: name }) => name))];
+  for (const name of names) {
+    const { at } = await gripOf(page, name);
+    await page.mouse.move(...at);
+    await settle(page);
+    assert.equal(await readout().textContent(), (await parameter(name)).title);
+    const { x, y, width, height } = await readout().boundingBox();
+    const box = [x - picture.x, y - picture.y, x - picture.x + width, y - picture.y + height];
+    for (const { label, text, parameter: other } of (await layoutOf(page)).lines) {
+      if (!label) continue;
+      const [x0, y0, x1, y1] = label.box;
+      const hidden = Math.max(0, Math.min(x1, box[2]) - Math.max(x0, box[0])) * Math.max(0, Math.min(y1, box[3]) - Math.max(y0, box[1]));
+      assert.ok(hidden <= 40, `${name} hides ${hidden.toFixed(0)} px² of ${text} of ${other}`);
+    }
+  }
+  assert.ok(names.length >= 8);
+});
+
 test("a drag survives leaving the picture and the window, and ends where it is let go of", async () => {
   const grip = await gripOf(page, "Depth");
   await dragBy(grip, -50);
