@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
+#include <optional>
 
 #include <glm/geometric.hpp>
+
+#include "silhouette/mesh_edges.h"
 
 namespace dimline {
 
@@ -15,45 +17,22 @@ namespace {
 constexpr float kFlatCosine = 0.9995F;
 constexpr float kSmoothCosine = 0.94F;
 
-constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
-
-/// One side of a triangle, under its lower vertex.
-struct HalfEdge {
-  std::uint32_t other = 0;      ///< the higher vertex
-  std::uint32_t triangle = 0;
-};
-
 /// The triangles of one mesh, with what its edges need of them.
-class MeshEdges {
+class Faces {
  public:
-  explicit MeshEdges(const Mesh& mesh) : mesh_(mesh) {
+  Faces(const Mesh& mesh, const MeshEdges& edges) : mesh_(mesh) {
     measureTriangles();
-    sortHalfEdges();
-    joinFacets();
-  }
-
-  /// Runs emit(vertexA, vertexB, triangleA, triangleB or kNone) over the edges.
-  template <typename Emit>
-  void eachEdge(Emit emit) const {
-    for (std::uint32_t low = 0; low + 1 < firstOf_.size(); ++low) {
-      for (std::uint32_t i = firstOf_[low]; i < firstOf_[low + 1]; ++i) {
-        const HalfEdge& half = halves_[i];
-        // Sorted by the other vertex: an edge's triangles stand side by side.
-        const bool paired = i + 1 < firstOf_[low + 1] && halves_[i + 1].other == half.other;
-        emit(low, half.other, half.triangle, paired ? halves_[i + 1].triangle : kNone);
-        if (paired) ++i;
-      }
-    }
+    joinFacets(edges);
   }
 
   [[nodiscard]] const glm::vec3& normal(std::uint32_t triangle) const { return normals_[triangle]; }
-  [[nodiscard]] float facetArea(std::uint32_t triangle) const { return areas_[root(triangle)]; }
-  [[nodiscard]] bool flat(std::uint32_t a, std::uint32_t b) const { return glm::dot(normals_[a], normals_[b]) > kFlatCosine; }
+  [[nodiscard]] float facetArea(std::uint32_t triangle) const { return areas_[facetOf_[triangle]]; }
+  [[nodiscard]] bool flat(const MeshEdges::Edge& edge) const { return glm::dot(normals_[edge.triangleA], normals_[edge.triangleB]) > kFlatCosine; }
 
-  /// Whether the shading normals of two triangles agree at both ends of their edge.
-  [[nodiscard]] bool smooth(std::uint32_t a, std::uint32_t b, std::uint32_t vertexA, std::uint32_t vertexB) const {
-    for (const std::uint32_t vertex : {vertexA, vertexB}) {
-      if (glm::dot(cornerNormal(a, vertex), cornerNormal(b, vertex)) < kSmoothCosine) return false;
+  /// Whether the shading normals of an edge's two triangles agree at both its ends.
+  [[nodiscard]] bool smooth(const MeshEdges::Edge& edge) const {
+    for (const std::uint32_t vertex : {edge.a, edge.b}) {
+      if (glm::dot(cornerNormal(edge.triangleA, vertex), cornerNormal(edge.triangleB, vertex)) < kSmoothCosine) return false;
     }
     return true;
   }
@@ -71,112 +50,110 @@ class MeshEdges {
     }
   }
 
-  void sortHalfEdges() {
-    firstOf_.assign(mesh_.positions.size() + 1, 0);
-    const auto each = [&](auto visit) {
-      for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
-        for (std::size_t k = 0; k < 3; ++k) {
-          const std::uint32_t p = mesh_.triangles[t][k];
-          const std::uint32_t q = mesh_.triangles[t][(k + 1) % 3];
-          if (p != q) visit(std::min(p, q), HalfEdge{std::max(p, q), t});
-        }
-      }
-    };
-    each([&](std::uint32_t low, const HalfEdge&) { ++firstOf_[low + 1]; });
-    std::partial_sum(firstOf_.begin(), firstOf_.end(), firstOf_.begin());
-    halves_.resize(firstOf_.back());
-    std::vector<std::uint32_t> next(firstOf_.begin(), firstOf_.end() - 1);
-    each([&](std::uint32_t low, const HalfEdge& half) { halves_[next[low]++] = half; });
-    for (std::size_t v = 0; v + 1 < firstOf_.size(); ++v) {
-      std::sort(halves_.begin() + firstOf_[v], halves_.begin() + firstOf_[v + 1],
-                [](const HalfEdge& a, const HalfEdge& b) { return a.other != b.other ? a.other < b.other : a.triangle < b.triangle; });
+  /// Triangles that hang together in one plane are one facet, called after one of them, which carries their area.
+  void joinFacets(const MeshEdges& edges) {
+    facetOf_.resize(mesh_.triangles.size());
+    std::iota(facetOf_.begin(), facetOf_.end(), 0U);
+    for (const MeshEdges::Edge& edge : edges.all()) {
+      if (edge.border() || !flat(edge)) continue;
+      const std::uint32_t a = root(edge.triangleA);
+      const std::uint32_t b = root(edge.triangleB);
+      if (a == b) continue;
+      facetOf_[b] = a;
+      areas_[a] += areas_[b];
     }
+    for (std::uint32_t& facet : facetOf_) facet = root(facet);
   }
 
-  /// Triangles that hang together in one plane share a root, which carries their area.
-  void joinFacets() {
-    parents_.resize(mesh_.triangles.size());
-    std::iota(parents_.begin(), parents_.end(), 0U);
-    eachEdge([&](std::uint32_t, std::uint32_t, std::uint32_t a, std::uint32_t b) {
-      if (b == kNone || !flat(a, b)) return;
-      const std::uint32_t rootA = root(a);
-      const std::uint32_t rootB = root(b);
-      if (rootA == rootB) return;
-      parents_[rootB] = rootA;
-      areas_[rootA] += areas_[rootB];
-    });
-  }
-
-  [[nodiscard]] std::uint32_t root(std::uint32_t triangle) const {
-    while (parents_[triangle] != triangle) {
-      parents_[triangle] = parents_[parents_[triangle]];
-      triangle = parents_[triangle];
-    }
+  std::uint32_t root(std::uint32_t triangle) {
+    while (facetOf_[triangle] != triangle) triangle = facetOf_[triangle] = facetOf_[facetOf_[triangle]];
     return triangle;
   }
 
-  [[nodiscard]] glm::vec3 cornerNormal(std::uint32_t triangle, std::uint32_t vertex) const {
-    for (std::size_t k = 0; k < 3; ++k) {
-      if (mesh_.triangles[triangle][k] == vertex) return mesh_.normals[triangle][k];
-    }
-    return normals_[triangle];
+  [[nodiscard]] const glm::vec3& cornerNormal(std::uint32_t triangle, std::uint32_t vertex) const {
+    const auto& corners = mesh_.triangles[triangle];
+    return mesh_.normals[triangle][corners[0] == vertex ? 0 : corners[1] == vertex ? 1 : 2];
   }
 
   const Mesh& mesh_;
   std::vector<glm::vec3> normals_;
-  std::vector<float> areas_;                     ///< of triangles; at a root, of its facet
-  std::vector<std::uint32_t> firstOf_;           ///< by lower vertex: where its half edges begin
-  std::vector<HalfEdge> halves_;
-  mutable std::vector<std::uint32_t> parents_;   ///< shortened while they are followed
+  std::vector<float> areas_;   ///< of triangles; for the one that a facet is called after, of the facet
+  std::vector<std::uint32_t> facetOf_;
 };
 
 /// The inked edges of a mesh in its own frame.
-void appendMeshEdges(const Mesh& mesh, std::vector<EdgeLine>& edges) {
-  const MeshEdges topology(mesh);
-  topology.eachEdge([&](std::uint32_t va, std::uint32_t vb, std::uint32_t a, std::uint32_t b) {
-    if (b != kNone && topology.flat(a, b)) return;
-    const glm::vec3 pa = mesh.positions[va];
-    const glm::vec3 pb = mesh.positions[vb];
-    const float length = glm::length(pb - pa);
-    if (!(length > 0.0F)) return;
-    EdgeLine edge{pa, pb, topology.normal(a), b == kNone ? -topology.normal(a) : topology.normal(b), -1.0F};
-    if (b == kNone) {
-      edge.widthM = topology.facetArea(a) / length;
-    } else if (!topology.smooth(a, b, va, vb)) {
-      edge.widthM = std::min(topology.facetArea(a), topology.facetArea(b)) / length;
+std::vector<EdgeLine> edgeLinesOf(const Mesh& mesh) {
+  const MeshEdges edges(mesh.triangles, mesh.positions.size());
+  const Faces faces(mesh, edges);
+  std::vector<EdgeLine> lines;
+  lines.reserve(edges.all().size());
+  for (const MeshEdges::Edge& edge : edges.all()) {
+    const bool border = edge.border();
+    if (!border && faces.flat(edge)) continue;
+    const glm::vec3& a = mesh.positions[edge.a];
+    const glm::vec3& b = mesh.positions[edge.b];
+    const float length = glm::length(b - a);
+    if (!(length > 0.0F)) continue;
+    EdgeLine line{a, b, faces.normal(edge.triangleA), border ? -faces.normal(edge.triangleA) : faces.normal(edge.triangleB), -1.0F};
+    if (border) {
+      line.widthM = faces.facetArea(edge.triangleA) / length;
+    } else if (!faces.smooth(edge)) {
+      line.widthM = std::min(faces.facetArea(edge.triangleA), faces.facetArea(edge.triangleB)) / length;
     }
-    edges.push_back(edge);
-  });
+    lines.push_back(line);
+  }
+  return lines;
 }
+
+/// Takes edges from a mesh to the world.
+class EdgeMap {
+ public:
+  explicit EdgeMap(const glm::mat4& toWorld) : position_(toWorld), origin_(toWorld[3]), normal_(toWorld) {
+    // Normals go by the inverse transpose: columns over their squared lengths. Widths go by the mean scale, which is near enough to fade by.
+    for (int c = 0; c < 3; ++c) {
+      const float squared = glm::dot(normal_[c], normal_[c]);
+      scale_ += std::sqrt(squared) / 3.0F;
+      if (squared > 0.0F) normal_[c] /= squared;
+    }
+  }
+
+  [[nodiscard]] EdgeLine operator()(const EdgeLine& line) const {
+    return {position_ * line.a + origin_, position_ * line.b + origin_, turned(line.normalA), turned(line.normalB), line.widthM * scale_};
+  }
+
+ private:
+  [[nodiscard]] glm::vec3 turned(const glm::vec3& n) const {
+    const glm::vec3 mapped = normal_ * n;
+    const float length = glm::length(mapped);
+    return length > 0.0F ? mapped / length : mapped;
+  }
+
+  glm::mat3 position_;
+  glm::vec3 origin_;
+  glm::mat3 normal_;
+  float scale_ = 0.0F;
+};
 
 }  // namespace
 
 void findEdgeLines(const Scene& scene, std::vector<EdgeLine>& edges) {
   edges.clear();
-  std::vector<std::vector<EdgeLine>> ofMesh(scene.meshes.size());
-  std::vector<bool> found(scene.meshes.size(), false);
+  std::vector<std::optional<std::vector<EdgeLine>>> ofMesh(scene.meshes.size());
+  std::size_t count = 0;
   for (const Instance& instance : scene.instances) {
-    std::vector<EdgeLine>& own = ofMesh[instance.mesh];
-    if (!found[instance.mesh]) appendMeshEdges(scene.meshes[instance.mesh], own);
-    found[instance.mesh] = true;
-    const glm::mat4& m = instance.transform;
-    // Normals go by the inverse transpose: columns over their squared lengths. Widths go by the mean scale, which is near enough to fade by.
-    glm::mat3 normalMap(m);
-    float scale = 0.0F;
-    for (int c = 0; c < 3; ++c) {
-      const float squared = glm::dot(normalMap[c], normalMap[c]);
-      scale += std::sqrt(squared) / 3.0F;
-      if (squared > 0.0F) normalMap[c] /= squared;
+    auto& own = ofMesh[instance.mesh];
+    if (!own) own = edgeLinesOf(scene.meshes[instance.mesh]);
+    count += own->size();
+  }
+  edges.reserve(count);
+  for (const Instance& instance : scene.instances) {
+    const std::vector<EdgeLine>& own = *ofMesh[instance.mesh];
+    if (instance.transform == glm::mat4(1.0F)) {
+      edges.insert(edges.end(), own.begin(), own.end());
+      continue;
     }
-    const auto mapNormal = [&](const glm::vec3& n) {
-      const glm::vec3 mapped = normalMap * n;
-      const float length = glm::length(mapped);
-      return length > 0.0F ? mapped / length : mapped;
-    };
-    for (const EdgeLine& e : own) {
-      edges.push_back({glm::vec3(m * glm::vec4(e.a, 1.0F)), glm::vec3(m * glm::vec4(e.b, 1.0F)), mapNormal(e.normalA),
-                       mapNormal(e.normalB), e.widthM * scale});
-    }
+    const EdgeMap toWorld(instance.transform);
+    for (const EdgeLine& line : own) edges.push_back(toWorld(line));
   }
 }
 

@@ -1,8 +1,9 @@
 #include "render/edge_renderer.h"
 
 #include <algorithm>
+#include <bit>
 #include <cstddef>
-#include <limits>
+#include <numeric>
 
 #include "gpu/packing.h"
 #include "render/frame_block.h"
@@ -15,8 +16,16 @@ namespace {
 /// px. The shader has faded out every edge whose narrower face is no wider than this on screen.
 constexpr double kLeastWidthPx = 0.6;
 
-/// What edges are sorted by: the width on which fading depends.
-float rank(const EdgeLine& edge) { return edge.widthM < 0.0F ? std::numeric_limits<float>::infinity() : edge.widthM; }
+/// Edges are sorted by classes of width, four an octave: a float's bits down to the second of its fraction. Sorting more finely would take
+/// longer than all the rest of a model's change. The first class is that of round surfaces' edges, which never fade.
+constexpr int kBitsWithinClass = 21;
+constexpr std::uint32_t kWidest = 0x7F800000U >> kBitsWithinClass;
+constexpr std::size_t kClasses = kWidest + 2;
+
+std::size_t classOf(float widthM) {
+  if (widthM < 0.0F) return 0;
+  return 1 + kWidest - std::min(std::bit_cast<std::uint32_t>(widthM) >> kBitsWithinClass, kWidest);
+}
 
 }  // namespace
 
@@ -26,7 +35,8 @@ EdgeRenderer::EdgeRenderer(const GlContext& context)
                          .fragment = {shaders::edge_frag}}),
       buffer_(context),
       vertexArray_(context),
-      indices_(context) {
+      indices_(context),
+      endOfClass_(kClasses, 0) {
   glBindVertexArray(vertexArray_.id());
   glBindBuffer(GL_ARRAY_BUFFER, buffer_.id());
   const auto attribute = [](GLuint location, GLint size, GLenum type, std::size_t offset) {
@@ -49,18 +59,22 @@ Status EdgeRenderer::prepare() {
 
 void EdgeRenderer::setScene(const Scene& scene) {
   findEdgeLines(scene, edges_);
-  std::stable_sort(edges_.begin(), edges_.end(), [](const EdgeLine& a, const EdgeLine& b) { return rank(a) > rank(b); });
-  corners_.clear();
-  for (const EdgeLine& edge : edges_) {
-    corners_.insert(corners_.end(), 4, {edge.a, edge.b, packNormal(edge.normalA), packNormal(edge.normalB), edge.widthM});
+  endOfClass_.assign(kClasses, 0);
+  for (const EdgeLine& edge : edges_) ++endOfClass_[classOf(edge.widthM)];
+  std::partial_sum(endOfClass_.begin(), endOfClass_.end(), endOfClass_.begin());
+  corners_.resize(edges_.size() * 4);
+  // From the back, each edge takes the last free place of its class; what is left then is where the class begins.
+  std::vector<std::size_t> place = endOfClass_;
+  for (auto edge = edges_.rbegin(); edge != edges_.rend(); ++edge) {
+    const Corner corner{edge->a, edge->b, packNormal(edge->normalA), packNormal(edge->normalB), edge->widthM};
+    std::fill_n(corners_.begin() + static_cast<std::ptrdiff_t>(--place[classOf(edge->widthM)] * 4), 4, corner);
   }
   upload(buffer_, GL_ARRAY_BUFFER, std::span<const Corner>(corners_), GL_DYNAMIC_DRAW);
 }
 
 void EdgeRenderer::draw(double mostPxPerM) {
   const auto leastWidth = static_cast<float>(kLeastWidthPx / mostPxPerM);
-  const auto tooFine = std::partition_point(edges_.begin(), edges_.end(), [&](const EdgeLine& e) { return rank(e) > leastWidth; });
-  const auto count = static_cast<std::size_t>(tooFine - edges_.begin());
+  const std::size_t count = endOfClass_[classOf(leastWidth)];
   if (count == 0) return;
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LEQUAL);

@@ -34,8 +34,9 @@ class EdgeRenderer {
   Buffer buffer_;
   VertexArray vertexArray_;
   QuadIndices indices_;
-  std::vector<EdgeLine> edges_;      ///< widest first, those of round surfaces before all
-  std::vector<Corner> corners_;
+  std::vector<EdgeLine> edges_;
+  std::vector<Corner> corners_;               ///< four an edge, the widest first, those of round surfaces before all
+  std::vector<std::size_t> endOfClass_;       ///< how many edges are in a class of width or in those before it
 };
 
 }  // namespace dimline

@@ -10,11 +10,13 @@
 #include <cmath>
 #include <numeric>
 
+#include "silhouette/mesh_edges.h"
+
 namespace dimline {
 
 namespace {
 
-using Triangle = std::array<std::uint32_t, 3>;
+using Triangle = MeshEdges::Triangle;
 
 constexpr std::uint32_t kNone = 0xFFFFFFFF;
 
@@ -124,54 +126,6 @@ void sortIntoParts(EdgeMesh& mesh) {
   mesh.positions = std::move(positions);
 }
 
-// --- Edges --------------------------------------------------------------------------------------------------------------
-
-/// All edges of the triangles, in the order in which these first use them.
-class EdgeFinder {
-public:
-  struct Edge {
-    std::uint32_t a, b;                  ///< as triangleA runs it
-    std::uint32_t triangleA, triangleB;  ///< see border()
-    std::uint32_t next;                  ///< the next edge with the same lower vertex
-
-    /// Whether it has not just two triangles that agree about which side is out.
-    [[nodiscard]] bool border() const { return triangleB >= kMany; }
-    [[nodiscard]] std::uint32_t across(std::uint32_t triangle) const { return triangle == triangleA ? triangleB : triangleA; }
-  };
-
-  explicit EdgeFinder(const EdgeMesh& mesh) : firstAt_(mesh.positions.size(), kNone), ofTriangle_(mesh.triangles.size()) {
-    edges_.reserve(mesh.triangles.size() * 3 / 2);
-    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-      const auto& [a, b, c] = mesh.triangles[t];
-      ofTriangle_[t] = {use(a, b, t), use(b, c, t), use(c, a, t)};
-    }
-  }
-
-  [[nodiscard]] const std::vector<Edge>& edges() const { return edges_; }
-  [[nodiscard]] const Edge& operator[](std::uint32_t edge) const { return edges_[edge]; }
-  [[nodiscard]] const std::array<std::uint32_t, 3>& ofTriangle(std::uint32_t triangle) const { return ofTriangle_[triangle]; }
-
-private:
-  static constexpr std::uint32_t kMany = kNone - 1;  ///< in triangleB: more than one other triangle, or one that disagrees
-
-  std::uint32_t use(std::uint32_t a, std::uint32_t b, std::uint32_t triangle) {
-    std::uint32_t& first = firstAt_[std::min(a, b)];
-    for (std::uint32_t i = first; i != kNone; i = edges_[i].next) {
-      Edge& edge = edges_[i];
-      const bool opposite = edge.a == b && edge.b == a;
-      if (!opposite && !(edge.a == a && edge.b == b)) continue;
-      edge.triangleB = opposite && edge.triangleB == kNone ? triangle : kMany;
-      return i;
-    }
-    edges_.push_back({a, b, triangle, kNone, first});
-    return first = static_cast<std::uint32_t>(edges_.size() - 1);
-  }
-
-  std::vector<Edge> edges_;
-  std::vector<std::uint32_t> firstAt_;  ///< by lower vertex
-  std::vector<std::array<std::uint32_t, 3>> ofTriangle_;
-};
-
 // --- Welding ------------------------------------------------------------------------------------------------------------
 
 /// Finds vertices at exactly the same place.
@@ -204,12 +158,12 @@ private:
 
 /// Makes vertices at the same place one in those parts that are not closed: models that split vertices for their
 /// normals are closed that way. False when there were none.
-bool weldOpenParts(EdgeMesh& mesh, const EdgeFinder& edges) {
+bool weldOpenParts(EdgeMesh& mesh, const MeshEdges& edges) {
   // Edges come in the order of the triangles, and with them of the parts.
   std::vector<bool> open(mesh.parts.size(), false);
   std::size_t openVertices = 0;
   std::size_t part = 0;
-  for (const EdgeFinder::Edge& edge : edges.edges()) {
+  for (const MeshEdges::Edge& edge : edges.all()) {
     while (edge.a >= mesh.parts[part].vertices.end) ++part;
     if (!edge.border() || open[part]) continue;
     open[part] = true;
@@ -265,7 +219,7 @@ void recenter(EdgeMesh& mesh) {
 /// plane.
 class FacetFinder {
 public:
-  FacetFinder(EdgeMesh& mesh, const EdgeFinder& edges)
+  FacetFinder(EdgeMesh& mesh, const MeshEdges& edges)
       : mesh_(mesh), edges_(edges), facetOf_(mesh.triangles.size(), EdgeMesh::kNoFacet) {
     for (std::vector<float>* component : {&mesh.normalX, &mesh.normalY, &mesh.normalZ, &mesh.offset})
       component->reserve(mesh.triangles.size());
@@ -329,8 +283,8 @@ private:
     while (!stack_.empty()) {
       const std::uint32_t triangle = stack_.back();
       stack_.pop_back();
-      for (const std::uint32_t e : edges_.ofTriangle(triangle)) {
-        const EdgeFinder::Edge& edge = edges_[e];
+      for (const std::uint32_t e : edges_.of(triangle)) {
+        const MeshEdges::Edge& edge = edges_[e];
         if (edge.border()) continue;
         const std::uint32_t next = edge.across(triangle);
         if (facetOf_[next] != EdgeMesh::kNoFacet || !liesIn(next, edge, normal, offset)) continue;
@@ -341,7 +295,7 @@ private:
   }
 
   /// Whether a triangle lies in a plane in which the edge, one of its own, lies.
-  [[nodiscard]] bool liesIn(std::uint32_t triangle, const EdgeFinder::Edge& edge, const Vec3& normal, double offset) const {
+  [[nodiscard]] bool liesIn(std::uint32_t triangle, const MeshEdges::Edge& edge, const Vec3& normal, double offset) const {
     const Triangle& t = mesh_.triangles[triangle];
     const std::uint32_t opposite = t[0] ^ t[1] ^ t[2] ^ edge.a ^ edge.b;  // the vertex that is not the edge's
     if (std::abs(glm::dot(normal, at(opposite)) + offset) > flatM_) return false;
@@ -350,7 +304,7 @@ private:
   }
 
   EdgeMesh& mesh_;
-  const EdgeFinder& edges_;
+  const MeshEdges& edges_;
   std::vector<std::uint32_t> facetOf_;
   std::vector<std::uint32_t> stack_;
   double flatM_ = 0;
@@ -362,19 +316,19 @@ EdgeMesh makeEdgeMesh(const Mesh& mesh) {
   EdgeMesh prepared;
   take(mesh, prepared);
   sortIntoParts(prepared);
-  EdgeFinder edges(prepared);
+  MeshEdges edges(prepared.triangles, prepared.positions.size());
   if (weldOpenParts(prepared, edges)) {
     sortIntoParts(prepared);
-    edges = EdgeFinder(prepared);
+    edges = MeshEdges(prepared.triangles, prepared.positions.size());
   }
   recenter(prepared);
   const FacetFinder facets(prepared, edges);
 
-  prepared.edges.reserve(edges.edges().size());
-  auto edge = edges.edges().begin();
+  prepared.edges.reserve(edges.all().size());
+  auto edge = edges.all().begin();
   for (EdgeMesh::Part& part : prepared.parts) {
     part.edges.first = static_cast<std::uint32_t>(prepared.edges.size());
-    for (; edge != edges.edges().end() && edge->a < part.vertices.end; ++edge) {
+    for (; edge != edges.all().end() && edge->a < part.vertices.end; ++edge) {
       const std::uint32_t facetA = edge->border() ? EdgeMesh::kNoFacet : facets.facetOf(edge->triangleA);
       const std::uint32_t facetB = edge->border() ? EdgeMesh::kNoFacet : facets.facetOf(edge->triangleB);
       if (edge->border() || facetA != facetB) prepared.edges.push_back({edge->a, edge->b, facetA, facetB});
