@@ -97,31 +97,39 @@ def settle(result: Result, status: int) -> Result:
     return result
 
 
-# Builds. One that a later part needs is begun early and takes what the parts before leave idle: linking is one thread's work, and a
-# page waits for its next frame now and then.
+# Builds. Those that later parts need follow the first one at once and take what the parts before leave idle: the last of a part's tests
+# runs alone, and a page waits for its next frame now and then.
 
-meanwhile = {}  # preset -> Future of its build
+builds = {}  # preset -> Future of its build
 
 
-def build_meanwhile(preset: str) -> None:
-    done = Future()
+def begin_builds(presets) -> None:
+    """Builds the presets one after the other, the first as fast as can be, the others behind whatever else runs."""
+    begun = {preset: Future() for preset in presets}
 
     def work():
-        try:
-            done.set_result(build.build(preset, keep_going=True, background=True))
-        except Exception as error:
-            done.set_exception(error)
+        for number, (preset, done) in enumerate(begun.items()):
+            try:
+                done.set_result(build.build(preset, keep_going=True, background=number > 0))
+            except Exception as error:
+                done.set_exception(error)
 
+    builds.update(begun)
     threading.Thread(target=work, daemon=True).start()
-    meanwhile[preset] = done
 
 
 def wait_for_build(preset: str) -> None:
-    """Builds the preset, or waits until it is. Raises BuildError."""
-    if preset in meanwhile:
-        meanwhile.pop(preset).result()
-    else:
-        build.build(preset, keep_going=True)
+    """Raises BuildError."""
+    builds[preset].result()
+
+
+# What takes longest begins first, so that nothing waits for it alone at the end; the rest in the order of their names.
+LONGEST = ("test_cli", "test_app", "test_models", "test_silhouette", "test_render",
+           "follow.test.mjs", "gesture.test.mjs", "keyboard.test.mjs", "drag.test.mjs", "panel.test.mjs", "fields.test.mjs")
+
+
+def longest_first(names) -> list:
+    return sorted(names, key=lambda name: (LONGEST.index(name) if name in LONGEST else len(LONGEST), name))
 
 
 # Native executables (Catch2)
@@ -146,8 +154,8 @@ def count_cases(name: str, log: str, status: int, output: str) -> Result:
 
 def test_folders(match: str) -> list:
     """The folders of tests/ that have an executable."""
-    folders = sorted({file.parent.name for file in (ROOT / "tests").glob("*/*_test.cpp")})
-    return [folder for folder in folders if match in f"test_{folder}"]
+    names = longest_first({f"test_{file.parent.name}" for file in (ROOT / "tests").glob("*/*_test.cpp")})
+    return [name.removeprefix("test_") for name in names if match in name]
 
 
 def run_executable(preset: str, folder: str) -> Result:
@@ -210,7 +218,8 @@ def run_script(file: Path, environment: dict) -> Result:
 
 
 def script_part(folder: str, match: str, environment: dict):
-    files = [file for file in sorted((ROOT / "tests" / folder).glob("*.test.mjs")) if match in file.name]
+    names = longest_first(file.name for file in (ROOT / "tests" / folder).glob("*.test.mjs"))
+    files = [ROOT / "tests" / folder / name for name in names if match in name]
     if not files:
         yield failure(folder, f"there are no tests/{folder}/*.test.mjs to run")
     with ThreadPoolExecutor(max_workers=SCRIPTS_AT_ONCE) as pool:
@@ -218,12 +227,12 @@ def script_part(folder: str, match: str, environment: dict):
 
 
 def node_part(match: str):
-    build.build("wasm")
+    wait_for_build("wasm")
     yield from script_part("node", match, dict(os.environ))
 
 
 def browser_part(match: str):
-    build.build("wasm")
+    wait_for_build("wasm")
     artifacts = ROOT / "build/test-artifacts"
     artifacts.mkdir(parents=True, exist_ok=True)
     server = serve.Server("127.0.0.1", 0)
@@ -260,7 +269,7 @@ def tools_part(match: str):
 
 def wasm_part(match: str):
     start = time.monotonic()
-    build.build("wasm", keep_going=True)
+    wait_for_build("wasm")
     missing = [name for name in ("dimline.js", "dimline.wasm") if not (ROOT / "build/wasm" / name).exists()]
     result = Result("build", passed=0 if missing else 1)
     if missing:
@@ -269,7 +278,7 @@ def wasm_part(match: str):
     yield result
 
 
-# The order in which they run: what is quick and what fails early first. MEANWHILE: the preset that is built beside a part.
+# The order in which they run: what is quick and what fails early first. PRESETS: the build that a part needs.
 PARTS = {
     "includes": includes_part,
     "tools": tools_part,
@@ -279,7 +288,7 @@ PARTS = {
     "browser": browser_part,
     "asan": lambda match: native_part("asan", match),
 }
-MEANWHILE = {"wasm": "asan"}
+PRESETS = {"native": "native", "wasm": "wasm", "node": "wasm", "browser": "wasm", "asan": "asan"}
 
 
 def run_part(name: str, part, match: str) -> list:
@@ -329,10 +338,9 @@ def main() -> int:
         print(f"== setup\n{describe(results[-1])}\n", flush=True)
 
     failures = []
+    begin_builds(dict.fromkeys(PRESETS[name] for name in PARTS if name in options.only and name in PRESETS))
     for name, part in PARTS.items():
         if name in options.only:
-            if MEANWHILE.get(name) in options.only:
-                build_meanwhile(MEANWHILE[name])
             of_part = run_part(name, part, options.match)
             failures += [f"FAILED in {name}: {result.name} ({result.failed})" for result in of_part if result.failed]
             results += of_part

@@ -118,25 +118,41 @@ class Runs(unittest.TestCase):
             self.assertEqual(test.totals(test.run_part("native", breaks_midway, "")), (3, 1))
             self.assertEqual(test.totals(test.run_part("native", lambda match: iter(()), "")), (0, 1))
 
-    def test_a_build_that_was_begun_early_is_waited_for_and_done_once(self):
+    def test_builds_follow_each_other_and_are_waited_for(self):
         def slow_build(preset, **options):
-            time.sleep(0.3)
+            time.sleep(0.2)
             built.append((preset, options))
 
         built = []
         with mock.patch.object(build, "build", slow_build):
-            test.build_meanwhile("asan")
+            test.begin_builds(["native", "asan"])
             self.assertEqual(built, [])
-            test.wait_for_build("asan")
-            self.assertEqual(built, [("asan", {"keep_going": True, "background": True})])
             test.wait_for_build("native")
-        self.assertEqual(built[1:], [("native", {"keep_going": True})])
+            self.assertEqual(built, [("native", {"keep_going": True, "background": False})])
+            test.wait_for_build("asan")
+            test.wait_for_build("asan")
+        self.assertEqual(built[1:], [("asan", {"keep_going": True, "background": True})])
 
-    def test_a_build_that_was_begun_early_and_failed_fails_where_it_is_waited_for(self):
-        with mock.patch.object(build, "build", side_effect=build.BuildError("error: no such thing")):
-            test.build_meanwhile("asan")
-            with self.assertRaises(build.BuildError):
-                test.wait_for_build("asan")
+    def test_a_build_that_fails_does_so_where_it_is_waited_for_and_holds_up_no_other(self):
+        def some_fail(preset, **options):
+            if preset == "native":
+                raise build.BuildError("error: no such thing")
+
+        with mock.patch.object(build, "build", some_fail):
+            test.begin_builds(["native", "asan"])
+            for _ in range(2):
+                with self.assertRaises(build.BuildError):
+                    test.wait_for_build("native")
+            test.wait_for_build("asan")
+
+    def test_every_part_but_the_quick_ones_names_its_build(self):
+        self.assertEqual(set(test.PARTS) - set(test.PRESETS), {"includes", "tools"})
+        self.assertEqual(list(dict.fromkeys(test.PRESETS[name] for name in test.PARTS if name in test.PRESETS)), ["native", "wasm", "asan"])
+
+    def test_the_longest_begin_first(self):
+        self.assertEqual(test.longest_first(["a", "test_app", "b", "test_cli"]), ["test_cli", "test_app", "a", "b"])
+        there = {f"test_{folder}" for folder in test.test_folders("")} | {file.name for file in (ROOT / "tests/browser").glob("*.mjs")}
+        self.assertEqual(set(test.LONGEST) - there, set())
 
     def test_files_run_beside_each_other_and_are_told_in_order(self):
         both_run = threading.Barrier(2, timeout=30)
