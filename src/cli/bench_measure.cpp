@@ -22,6 +22,7 @@ constexpr double kSidePx = 1000.0;
 constexpr std::size_t kStraightforwardFrames = 12;  // no multiple of 5
 constexpr double kStraightforwardBudgetMs = 4000.0;
 constexpr double kRepeatBudgetMs = 1500.0;
+constexpr double kRepeatMsPerFrame = 12.5;  // who asks for few frames wants it short
 constexpr int kPreprocessRepeats = 15;
 
 template <typename Work>
@@ -75,7 +76,7 @@ void timeStraightforward(const Model& model, const Scene& scene, const std::vect
   times.straightforward = median(std::move(samples));
 }
 
-void timeChanges(const Model& model, const Scene& scene, BenchTimes& times) {
+void timeChanges(const Model& model, const Scene& scene, int frames, BenchTimes& times) {
   std::vector<double> preprocessMs;
   Placer placer;
   for (int i = 0; i < kPreprocessRepeats; ++i) preprocessMs.push_back(timeMs([&] { placer.setScene(model, scene); }));
@@ -85,7 +86,8 @@ void timeChanges(const Model& model, const Scene& scene, BenchTimes& times) {
   std::vector<double> rebuildMs;
   CpuFields producer;
   double spentMs = 0;
-  for (double share = 0.1; share < 0.4 && spentMs < kRepeatBudgetMs; share += 0.1) {
+  const double budgetMs = std::min(kRepeatBudgetMs, frames * kRepeatMsPerFrame);
+  for (double share = 0.1; share < 0.4 && spentMs < budgetMs; share += 0.1) {
     for (std::size_t i = 0; i < model.parameters().size(); ++i) {
       const Parameter& parameter = model.parameters()[i];
       Values values(model.parameters());
@@ -137,7 +139,7 @@ Result<BenchResult> benchModel(const Model& model, const BenchPlan& plan) {
   for (BenchTimes& times : result.runs) {
     if (Status status = timeFrames(model, scene, views, gpu.get(), times); !status) return status.error();
     if (plan.straightforward) timeStraightforward(model, scene, views, times);
-    if (plan.changes) timeChanges(model, scene, times);
+    if (plan.changes) timeChanges(model, scene, plan.frames, times);
   }
   return result;
 }

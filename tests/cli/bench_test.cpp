@@ -91,10 +91,17 @@ TEST_CASE("dimline bench prints tables, and the contract's JSON") {
   CHECK(table.out.find("house") != std::string::npos);
   CHECK(table.out.find("Growth") == std::string::npos);
 
-  const Run run = runProgram({"bench", "all", "--frames", "2", "--json"});
+  auto models = parsed(runProgram({"models", "--json"}).out);
+#ifdef __SANITIZE_ADDRESS__
+  // The sanitizers look for what one model shows as well as all.
+  const std::string measured = models[0]["name"];
+  models.erase(models.begin() + 1, models.end());
+#else
+  const std::string measured = "all";
+#endif
+  const Run run = runProgram({"bench", measured, "--frames", "1", "--json"});
   REQUIRE(run.status == 0);
   const auto results = parsed(run.out);
-  const auto models = parsed(runProgram({"models", "--json"}).out);
   REQUIRE(results.size() == models.size());
   for (std::size_t i = 0; i < results.size(); ++i) {
     INFO(results[i].dump());
