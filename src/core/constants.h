@@ -100,7 +100,7 @@ inline constexpr double kChangesOfReturn = 6.0;
 /// What it costs there that a line runs across another's extension line, that a longer line lies nearer to the model than a shorter one beside it, and that a line is inside
 /// the model. A change costs once, these as long as they last, so each is worth about a change or more.
 inline constexpr double kScoreTangle = -20.0 * kHandleSpacingPx;
-inline constexpr double kScoreNestedWrongly = -12.0 * kHandleSpacingPx;
+inline constexpr double kScoreNestedWrongly = -20.0 * kHandleSpacingPx;
 inline constexpr double kScoreInside = -40.0 * kHandleSpacingPx;
 /// Attempts at a moved frame, each about as long as placing it. More find more and cost more.
 inline constexpr int kMendingAttempts = 2;
