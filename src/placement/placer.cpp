@@ -176,7 +176,10 @@ void Placer::showHidden(bool shown) { state_->showHidden = shown; }
 void Placer::setScene(const Model& model, const Scene& scene) {
   State& s = *state_;
   const auto sameName = [](const Parameter& a, const Parameter& b) { return a.name == b.name; };
-  const bool sameModel = std::ranges::equal(s.parameters, model.parameters(), sameName);
+  // With measures a model has more parameters, and without them fewer; those that it has in both cases keep their places.
+  const std::size_t common = std::min(s.parameters.size(), model.parameters().size());
+  const bool sameModel = common > 0 && std::equal(s.parameters.begin(), s.parameters.begin() + static_cast<std::ptrdiff_t>(common),
+                                                  model.parameters().begin(), sameName);
   if (s.scopes.size() != scene.scopes.size()) s.past.sights.clear();
   s.scopes = scene.scopes;
   s.modelSizeM = scene.bounds.diagonal();
@@ -184,6 +187,11 @@ void Placer::setScene(const Model& model, const Scene& scene) {
   if (!sameModel) {
     s.past.histories.assign(s.parameters.size(), History(-1));
     forget();
+  } else if (s.past.histories.size() != s.parameters.size()) {
+    s.past.histories.resize(common, History(-1));
+    while (s.past.histories.size() < s.parameters.size()) s.past.histories.push_back(History(static_cast<std::int32_t>(s.past.histories.size())));
+    s.past.lookAhead.forget();
+    s.past.mending = {};
   }
   for (History& history : s.past.histories) history.forgetOffset();
   s.past.sceneChanged = true;

@@ -47,3 +47,23 @@ TEST_CASE("every line of the house can be dragged: there, to the limits, back, a
   }
   REQUIRE_FALSE(stage.editor.canUndo());
 }
+
+TEST_CASE("showing measures, and putting them away, leaves every other line where the way there had brought it") {
+  EditorStage stage(defineHouse());
+  const Camera start = stage.editor.camera();
+  const double distanceM = glm::length(start.eye - start.target);
+  int moved = 0;
+  for (const double to : {-40.0, 120.0, 215.0}) {
+    for (double azimuthDeg = to - 60; azimuthDeg <= to; azimuthDeg += 4) {
+      REQUIRE(stage.editor.setCamera(orbitCamera(start.target, distanceM, azimuthDeg, 20)));
+      stage.settle();
+    }
+    const std::vector<PlacedLine> before = stage.editor.layout().lines;
+    for (const bool shown : {true, false}) {
+      stage.editor.setMeasuresShown(shown);
+      stage.settle();
+      for (const PlacedLine& line : before) moved += std::ranges::none_of(stage.editor.layout().lines, [&](const PlacedLine& now) { return now.identity == line.identity; });
+    }
+  }
+  CHECK(moved == 0);
+}
