@@ -15,6 +15,7 @@ class Landed {
   void add(const PlacedLine& line, int guide);
   /// A line on screen with its base line and its foot on the plane, without a label.
   void add(const Segment2& base, const Segment2& foot, const Segment2& line);
+  void addLabel(const Box2& label) { labels_.push_back(label); }
   /// A pill, or an arc with its label.
   void add(const PlacedHandle& handle, const View& view);
 

@@ -307,6 +307,10 @@ bool Placer::State::placeAll(const FrameToPlace& frame, std::size_t crowded, Lay
   layout.others.reserve(others.size());   // however many of them found no place until now
   layout.hidden.clear();
   occupied.begin(fields);
+  // What is held stays where it is: shorter lines come before it, but their labels must leave room for its own.
+  for (const PlacedLine& line : held) {
+    if (line.label) occupied.reserve(*line.label);
+  }
   // An arc that stays in its scope's frame has one place only, so all others keep clear of it.
   const auto stays = [](const Measured& other) { return other.annotation.type == HandleType::kAngular && other.annotation.slip == Slip::kNone; };
   for (const Measured& other : others) {

@@ -274,6 +274,21 @@ TEST_CASE("labels keep off an arc that stays in its scope's frame") {
   CHECK(shown > 50);
 }
 
+TEST_CASE("labels of shorter lines keep off the label of a line that is held") {
+  Stage stage(boxWithDoor());
+  stage.look(orbitCamera({0, 2.5, 0}, 30, 20, 22));
+  const PlacedLine* door = stage.find("DoorWidth");
+  REQUIRE(door != nullptr);
+  REQUIRE(door->label.has_value());
+  PlacedLine held = *stage.find("Width");
+  held.label = door->label;
+  stage.placer.place(stage.layout.view, stage.fields, stage.values, stage.layout, nullptr, {&held, 1});
+  CHECK(stage.find("Width")->label->center() == held.label->center());
+  for (const PlacedLine& line : stage.layout.lines) {
+    if (stage.nameOf(line) != "Width" && line.label) CHECK_FALSE(line.label->overlaps(*held.label));
+  }
+}
+
 TEST_CASE("a view that turns far in one frame begins anew") {
   Stage stage(boxWithDoor());
   for (double azimuth = 0; azimuth <= 80; azimuth += 1) stage.look(orbitCamera({0, 2.5, 0}, 30, azimuth, 20));
