@@ -12,6 +12,7 @@ const kNudgeMs = 12; // a phone's buzz where a limit is reached
 
 /** The box of one drag. */
 class DragReadout {
+  parameter = ""; // whose handle is dragged
   #node = make("div", { class: "readout", "aria-hidden": "true" });
   #box;
   #title = make("span", { class: "title" });
@@ -101,7 +102,7 @@ export class DragReadouts {
    */
   update(gestures, others) {
     for (const [id, readout] of this.#shown) {
-      if (gestures.some((gesture) => gesture.id === id)) continue;
+      if (gestures.some((gesture) => gesture.id === id && gesture.parameter === readout.parameter)) continue;
       readout.hide();
       this.#shown.delete(id);
       this.#spare.push(readout);
@@ -109,7 +110,9 @@ export class DragReadouts {
     }
     for (const gesture of gestures) {
       if (!this.#shown.has(gesture.id)) {
-        this.#shown.set(gesture.id, this.#spare.pop() ?? new DragReadout(this.#stage));
+        const readout = this.#spare.pop() ?? new DragReadout(this.#stage);
+        readout.parameter = gesture.parameter;
+        this.#shown.set(gesture.id, readout);
         if (this.#hintDue && gesture.pointer !== "touch" && gesture.canBeFine) this.#hinted = gesture.id;
       }
       const hint = gesture.id === this.#hinted ? "Shift: finer · Alt: any value" : "";

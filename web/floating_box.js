@@ -57,10 +57,11 @@ export class FloatingBox {
    * @param {[number, number][]} places
    * @param {[number, number, number, number][]} boxes what should be seen
    * @param {number} usual index of the place that it keeps while another one is hardly better
+   * @param {[number, number, number, number]} [never] what it covers only where all places do, as the picture's edge pushes it there
    * @returns {number} index of the place that was taken
    */
-  placeClear(places, boxes, usual) {
-    const hidden = places.map((place) => this.hides(place, boxes));
+  placeClear(places, boxes, usual, never) {
+    const hidden = places.map((place) => (never && this.hides(place, [never]) > 0 ? Infinity : this.hides(place, boxes)));
     const best = hidden.indexOf(Math.min(...hidden));
     const taken = hidden[usual] <= hidden[best] + kHardlyPx2 ? usual : best;
     this.place(...places[taken]);

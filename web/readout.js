@@ -35,8 +35,10 @@ export class Readout {
     if (text !== this.#text) this.#side = 0;
     this.#text = text;
     setText(this.#title, text);
-    const places = text === name && !box ? this.#besidePointer(pointer) : this.#around(text === name ? box : this.#sentence.at);
-    this.#side = this.#box.placeClear(places, others, this.#side);
+    const besidePointer = text === name && !box;
+    const places = besidePointer ? this.#besidePointer(pointer) : this.#around(text === name ? box : this.#sentence.at);
+    const { x, y } = pointer;
+    this.#side = this.#box.placeClear(places, others, this.#side, besidePointer ? [x - 1, y - 1, x + 1, y + 1] : undefined);
   }
 
   /** Says a sentence beside a place in the picture. Gives the time (ms) after which update() takes it away. */
@@ -62,8 +64,7 @@ export class Readout {
     const [right, below, left, above, level] = [x + 14, y + 20, x - width - 10, y - height - 12, y - height / 2];
     const near = [[right, below], [right, above], [left, below], [left, above]];
     const farther = [[right + 12, level], [left - 12, level], [right, below + height], [left, below + height], [right, above - height], [left, above - height]];
-    // Not where the picture's edge would push it onto the pointer.
-    return [...near, ...farther].filter(([, top]) => top !== below || below + height <= this.#box.room[1]);
+    return [...near, ...farther];
   }
 
   #around([x0, y0, x1, y1]) {

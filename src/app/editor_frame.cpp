@@ -126,6 +126,7 @@ void Editor::State::placeOn(const View& view, bool moving) {
   }
   const auto members = std::ranges::partition(heldLines, [](const PlacedLine& line) { return line.chain < 0; });
   placer.place(view, fieldSource.fields(), placedValues(), placed, &visibilitySource.seen(), std::span(heldLines.begin(), members.begin()));
+  if (!fieldSource.current()) placer.awaitFields();
   for (const PlacedLine& member : members) holdMember(member);
   for (const HandleHold& hold : holds) {
     const auto arc = hold.drag.arc() != nullptr ? hold.drag.arc()->handleOn(values, view) : std::nullopt;

@@ -35,6 +35,10 @@ void History::choose(const Identity& choice, double offsetM, const Segment2& awa
   offsetM_ = offsetM;
   if (choice == last_) return;
   framesHeld_ = 0;
+  // What is gone back to is no longer left.
+  for (Left& left : left_) {
+    if (left.identity == choice) left = {};
+  }
   if (any()) *std::ranges::max_element(left_, {}, &Left::framesAgo) = {last_, 0};
   last_ = choice;
 }

@@ -35,6 +35,7 @@ bool Outcome::betterThan(const Outcome& other) const {
 
 void Mending::begin() {
   attempts_ = 0;
+  first_.reset();
   ++frames_;
 }
 
@@ -42,16 +43,18 @@ std::optional<std::size_t> Mending::next(const Outcome& outcome) {
   if (attempts_ >= kMendingAttempts) return std::nullopt;
   const std::size_t ranks = outcome.outside.size();
   const auto outsideAnd = [&](const std::vector<char>& flags) { return [&](std::size_t rank) { return outcome.outside[rank] != 0 && flags[rank] != 0; }; };
-  const bool first = attempts_++ == 0;
-  if (first) {
+  if (attempts_++ == 0) {
     std::size_t last = ranks - 1;   // the shortest of them comes first
-    if (const auto rank = nextInTurn(ranks, last, outsideAnd(outcome.changed))) return rank;
-    if (frames_ >= kFramesToLookAround) {
+    first_ = nextInTurn(ranks, last, outsideAnd(outcome.changed));
+    if (!first_ && frames_ >= kFramesToLookAround) {
       frames_ = 0;
-      return nextInTurn(ranks, lastOfAll_, outsideAnd(outcome.outside));
+      first_ = nextInTurn(ranks, lastOfAll_, outsideAnd(outcome.outside));
     }
+    if (!first_) first_ = nextInTurn(ranks, lastAmiss_, outsideAnd(outcome.amiss));
+    return first_;
   }
-  return nextInTurn(ranks, lastAmiss_, outsideAnd(outcome.amiss));
+  // Nobody twice: what was not found in the first attempt is not found in the second.
+  return nextInTurn(ranks, lastAmiss_, [&](std::size_t rank) { return rank != first_ && outcome.outside[rank] != 0 && outcome.amiss[rank] != 0; });
 }
 
 }  // namespace dimline

@@ -33,6 +33,7 @@ class Mending {
 
  private:
   int attempts_ = 0;             ///< at this frame so far
+  std::optional<std::size_t> first_;   ///< who looked in the first of them
   int frames_ = 0;               ///< since any line was looked at
   std::size_t lastAmiss_ = 0;    ///< whose turn it was
   std::size_t lastOfAll_ = 0;

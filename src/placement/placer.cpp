@@ -60,6 +60,10 @@ PlacedHandle& append(std::vector<PlacedHandle>& to, std::vector<PlacedHandle>& s
   return append(to, spare);
 }
 
+bool sameScope(const Scope& a, const Scope& b) {
+  return a.name == b.name && a.index == b.index && a.box.origin == b.box.origin && a.box.axes == b.box.axes && a.box.size == b.box.size;
+}
+
 /// What is to be placed in a frame.
 struct FrameToPlace {
   const View& view;
@@ -171,19 +175,26 @@ void Placer::recall(const Memory& memory) {
   state_->past = memory.content_->past;
 }
 
+void Placer::awaitFields() { state_->past.sceneChanged = state_->past.sceneChanged || !state_->firm; }
+
 void Placer::showHidden(bool shown) { state_->showHidden = shown; }
 
 void Placer::setScene(const Model& model, const Scene& scene) {
   State& s = *state_;
-  const auto sameName = [](const Parameter& a, const Parameter& b) { return a.name == b.name; };
   // With measures a model has more parameters, and without them fewer; those that it has in both cases keep their places.
-  const std::size_t common = std::min(s.parameters.size(), model.parameters().size());
-  const bool sameModel = common > 0 && std::equal(s.parameters.begin(), s.parameters.begin() + static_cast<std::ptrdiff_t>(common),
-                                                  model.parameters().begin(), sameName);
+  const std::span<const Parameter> parameters(model.parameters().begin(), model.parameters().end());
+  const std::size_t common = std::min(s.parameters.size(), parameters.size());
+  const bool sameModel = common > 0 && std::ranges::equal(std::span(s.parameters).first(common), parameters.first(common), {}, &Parameter::name, &Parameter::name) &&
+                         std::ranges::all_of(std::span(s.parameters).subspan(common), &Parameter::measure) &&
+                         std::ranges::all_of(parameters.subspan(common), &Parameter::measure);
+  // A measure's own scope comes after all others.
+  const std::size_t scopes = std::min(s.scopes.size(), scene.scopes.size());
+  const bool edited = !sameModel || s.parameters.size() == parameters.size() ||
+                      !std::ranges::equal(std::span(s.scopes).first(scopes), std::span(scene.scopes).first(scopes), sameScope);
   if (s.scopes.size() != scene.scopes.size()) s.past.sights.clear();
   s.scopes = scene.scopes;
   s.modelSizeM = scene.bounds.diagonal();
-  s.parameters.assign(model.parameters().begin(), model.parameters().end());
+  s.parameters.assign(parameters.begin(), parameters.end());
   if (!sameModel) {
     s.past.histories.assign(s.parameters.size(), History(-1));
     forget();
@@ -193,8 +204,10 @@ void Placer::setScene(const Model& model, const Scene& scene) {
     s.past.lookAhead.forget();
     s.past.mending = {};
   }
-  for (History& history : s.past.histories) history.forgetOffset();
-  s.past.sceneChanged = true;
+  if (edited) {
+    for (History& history : s.past.histories) history.forgetOffset();
+    s.past.sceneChanged = true;
+  }
   const std::vector<Measured> before = std::exchange(s.order, {});
   s.others.clear();
   for (Measured& measured : measure(model, s.scopes, s.modelSizeM)) {
@@ -327,6 +340,9 @@ bool Placer::State::placeAll(const FrameToPlace& frame, std::size_t crowded, Lay
       landHeld(*inHand, layout);
     } else if (rank < crowded) {
       layout.hidden.push_back({measured.parameter, HiddenReason::kCrowded});
+      // Or an attempt would gain by crowding a line out.
+      outcome.worth += kScoreInside;
+      if (past.histories[measured.parameter].any()) outcome.changes += 1;
       past.histories[measured.parameter].choseNone();
     } else {
       const Identity* avoid = avoided && avoided->rank == rank ? &avoided->place : nullptr;
@@ -407,8 +423,8 @@ void Placer::State::judgeChoice(std::size_t rank, const History& history) {
   if (history.any() && !history.stays(winner.identity, away(winner.baseScreen, winner.lineScreen))) {
     outcome.changes += 1;
     outcome.changed[rank] = 1;
+    if (history.leftLately(winner.identity)) outcome.changes += kChangesOfReturn;
   }
-  if (history.leftLately(winner.identity)) outcome.changes += kChangesOfReturn;
 }
 
 /// Writes the chosen lines into the layout.

@@ -48,6 +48,9 @@ class Placer {
   void place(const View& view, const DistanceFields& fields, const Values& values, Layout& layout,
              const ScopeVisibility* visibility = nullptr, std::span<const PlacedLine> held = {});
 
+  /// To be told after a frame whose fields were still another scene's or view's: what an edit lets find another place is looked at once more, when they have come.
+  void awaitFields();
+
  private:
   struct State;
   std::unique_ptr<State> state_;

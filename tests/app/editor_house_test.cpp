@@ -62,7 +62,9 @@ TEST_CASE("showing measures, and putting them away, leaves every other line wher
     for (const bool shown : {true, false}) {
       stage.editor.setMeasuresShown(shown);
       stage.settle();
-      for (const PlacedLine& line : before) moved += std::ranges::none_of(stage.editor.layout().lines, [&](const PlacedLine& now) { return now.identity == line.identity; });
+      for (const PlacedLine& line : before) moved += std::ranges::none_of(stage.editor.layout().lines, [&](const PlacedLine& now) {
+        return now.identity == line.identity && now.lineScreen.start == line.lineScreen.start && now.lineScreen.end == line.lineScreen.end;
+      });
     }
   }
   CHECK(moved == 0);

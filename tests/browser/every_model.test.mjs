@@ -1,4 +1,4 @@
-// In every built-in model, by the browser's own input: fingers drag lines, keys move sliders, values are typed, angles are turned, switches and choices are used,
+// In every built-in model, by the browser's own input: a finger drags a line, keys move sliders, values are typed, angles are turned, switches and choices are used,
 // and all of it can be undone to the very start. What the mouse does with lines is told by the follow tests.
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
@@ -42,26 +42,25 @@ async function dragged() {
 async function byFinger(what) {
   let changed = 0;
   const start = await documentNow();
-  for (const { parameter: name } of (await dragged()).slice(0, 1)) {
-    for (const sense of [1, -1]) {
-      // After a drag lines may have found other places.
-      const line = (await dragged()).find(({ parameter }) => parameter === name);
-      assert.ok(line, `${what}: ${name} has no line any more`);
-      const [grip] = gripsOf(line, picture);
-      const at = (px) => [grip.at[0] + grip.outward[0] * px, grip.at[1] + grip.outward[1] * px];
-      await fingers.down(at(0));
-      await fingers.move(at(sense * kTravelPx));
-      const { parameter: held, handle, limit, value } = await gesture();
-      assert.equal(held, name, `${what}: something else was taken hold of`);
-      const ahead = project([handle[0] - grip.tip[0], handle[1] - grip.tip[1]], grip.outward) - sense * kTravelPx;
-      // Where only some lengths are to be had, the handle may be half way to the next one; how near it comes then is told by the follow tests.
-      assert.ok(Math.abs(ahead) <= kNearPx || limit || line.indirect || line.chain, `${what}, ${name}: ${ahead.toFixed(1)} px from the finger at ${value}`);
-      if (value !== (await parameter(name)).default) changed += 1;
-      await fingers.move(at(0));
-      await fingers.up();
-      await settle(page);
-      assert.equal(await documentNow(), start, `${what}, ${name}: there and back`);
-    }
+  const [{ parameter: name }] = await dragged();
+  for (const sense of [1, -1]) {
+    // After a drag lines may have found other places.
+    const line = (await dragged()).find(({ parameter }) => parameter === name);
+    assert.ok(line, `${what}: ${name} has no line any more`);
+    const [grip] = gripsOf(line, picture);
+    const at = (px) => [grip.at[0] + grip.outward[0] * px, grip.at[1] + grip.outward[1] * px];
+    await fingers.down(at(0));
+    await fingers.move(at(sense * kTravelPx));
+    const { parameter: held, handle, limit, value } = await gesture();
+    assert.equal(held, name, `${what}: something else was taken hold of`);
+    const ahead = project([handle[0] - grip.tip[0], handle[1] - grip.tip[1]], grip.outward) - sense * kTravelPx;
+    // Where only some lengths are to be had, the handle may be half way to the next one; how near it comes then is told by the follow tests.
+    assert.ok(Math.abs(ahead) <= kNearPx || limit || line.indirect || line.chain, `${what}, ${name}: ${ahead.toFixed(1)} px from the finger at ${value}`);
+    if (value !== (await parameter(name)).default) changed += 1;
+    await fingers.move(at(0));
+    await fingers.up();
+    await settle(page);
+    assert.equal(await documentNow(), start, `${what}, ${name}: there and back`);
   }
   assert.ok(changed > 0, `${what}: no finger changed anything`);
 }

@@ -102,3 +102,13 @@ TEST_CASE("chains that are remembered get the numbers of another model, and thos
   single.renumberChains([](std::int32_t) { return -1; });
   CHECK(single.last() == before);
 }
+
+TEST_CASE("what a line has gone back to is no longer left") {
+  History history(3);
+  history.choose(side(0), 1.0);
+  history.choose(side(1), 1.0);
+  CHECK(history.leftLately(side(0)));
+  history.choose(side(0), 1.0);
+  CHECK_FALSE(history.leftLately(side(0)));
+  CHECK(history.leftLately(side(1)));
+}

@@ -52,7 +52,7 @@ Camera moved(Camera camera, const Motion& motion) {
   return camera;
 }
 
-/// An orbit in perspective, then one without.
+/// An orbit in perspective, then one without; from a little beyond the front, so that no line ends exactly handleSpacing beside another, where rounding decides.
 std::vector<Camera> flight() {
   std::vector<Camera> all;
   for (double azimuth = 0; azimuth < 360; azimuth += 3) all.push_back(orbitCamera({0, 2.5, 0}, 30, azimuth + 0.7, 22));

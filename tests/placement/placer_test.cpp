@@ -274,6 +274,19 @@ TEST_CASE("labels keep off an arc that stays in its scope's frame") {
   CHECK(shown > 50);
 }
 
+TEST_CASE("what is kept, and what is mended, stays before a still camera") {
+  Stage stage(boxWithDoor());
+  for (double azimuth = 0; azimuth < 360; azimuth += 1) {
+    const Camera camera = orbitCamera({0, 2.5, 0}, 30, azimuth, 22);
+    const std::vector<PlacedLine> moved = stage.look(camera).lines;
+    for (int frame = 0; frame < 2; ++frame) {
+      stage.look(camera);
+      REQUIRE(stage.layout.lines.size() == moved.size());
+      for (std::size_t i = 0; i < moved.size(); ++i) CHECK(stage.layout.lines[i].lineScreen.end == moved[i].lineScreen.end);
+    }
+  }
+}
+
 TEST_CASE("labels of shorter lines keep off the label of a line that is held") {
   Stage stage(boxWithDoor());
   stage.look(orbitCamera({0, 2.5, 0}, 30, 20, 22));
@@ -350,6 +363,22 @@ TEST_CASE("in a viewport that is too small the shortest lines are hidden until n
     }
   }
   CHECK(crowded > 0);
+}
+
+TEST_CASE("a warmed-up orbit, in which lines change places and are mended, allocates nothing") {
+  Stage stage(boxWithDoor());
+  std::vector<View> views;
+  for (double azimuth = 0; azimuth < 360; azimuth += 1) views.emplace_back(orbitCamera({0, 2.5, 0}, 30, azimuth, 22), 1000, 1000, stage.scene.bounds);
+  std::vector<DistanceFields> fields(views.size());
+  for (std::size_t i = 0; i < views.size(); ++i) stage.producer.produce(views[i], fields[i]);
+  const auto goRound = [&] {
+    for (std::size_t i = 0; i < views.size(); ++i) stage.placer.place(views[i], fields[i], stage.values, stage.layout);
+  };
+  goRound();
+  goRound();
+  const std::size_t before = allocationCount();
+  goRound();
+  CHECK(allocationCount() == before);
 }
 
 TEST_CASE("a warmed-up frame allocates nothing") {
