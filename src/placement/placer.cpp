@@ -191,7 +191,7 @@ void Placer::setScene(const Model& model, const Scene& scene) {
   const std::size_t scopes = std::min(s.scopes.size(), scene.scopes.size());
   const bool edited = !sameModel || s.parameters.size() == parameters.size() ||
                       !std::ranges::equal(std::span(s.scopes).first(scopes), std::span(scene.scopes).first(scopes), sameScope);
-  if (s.scopes.size() != scene.scopes.size()) s.past.sights.clear();
+  if (edited && s.scopes.size() != scene.scopes.size()) s.past.sights.clear();
   s.scopes = scene.scopes;
   s.modelSizeM = scene.bounds.diagonal();
   s.parameters.assign(parameters.begin(), parameters.end());
