@@ -171,7 +171,7 @@ inline constexpr double kPlentySeenShare = 0.003;
 /// Share of a scope's screen area that must be seen for it to be shown, and below which one that is shown is dropped again. Two
 /// thresholds, so that a scope at the edge of sight does not flicker. One that went out of sight within kReturnFrames moved frames must be seen by the
 /// third to be shown again: behind leaves the share leaps from frame to frame.
-inline constexpr double kSeenShareToShow = 0.1;
+inline constexpr double kSeenShareToShow = 0.12;
 inline constexpr double kSeenShareToKeep = 0.06;
 inline constexpr double kSeenShareToShowAgain = 0.3;
 

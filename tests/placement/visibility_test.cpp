@@ -75,5 +75,5 @@ TEST_CASE("another share before a still camera counts at once") {
   shown.age(0);
   CHECK_FALSE(shown.see(0.01));
   shown.age(0);
-  CHECK(shown.see(0.1));         // no need to be seen by the third: nothing flickers
+  CHECK(shown.see(kSeenShareToShow));         // no need to be seen by the third: nothing flickers
 }
