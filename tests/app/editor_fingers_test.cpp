@@ -20,15 +20,9 @@ ModelDefinition storeys() {
   add("Upper", "@Handle(scope=Upper, type=linear-contour, orient=up, slip=scope)");
   add("Width", "@Handle(scope=Lower, type=linear-contour, orient=right, slip=scope)");
   definition.build = [](const Values& v) {
-    Scene scene;
     const Obb lower = boxAt({-v.at(2) / 2, 0, -2}, {v.at(2), v.at(0), 4});
     const Obb upper = boxAt({-v.at(2) / 2, v.at(0), -2}, {v.at(2), v.at(1), 4});
-    addBox(scene, lower);
-    addBox(scene, upper);
-    scene.scopes.push_back({"Lower", 0, lower});
-    scene.scopes.push_back({"Upper", 0, upper});
-    finish(scene);
-    return scene;
+    return sceneOf({{"Lower", lower}, {"Upper", upper}});
   };
   return definition;
 }

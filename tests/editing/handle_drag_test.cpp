@@ -131,15 +131,9 @@ ModelDefinition stack() {
   definition.parameters.push_back(parameterNamed("Lower", 2, 0.5, 4, 0.1, "@Handle(scope=Lower, type=linear-contour, orient=up)"));
   definition.parameters.push_back(parameterNamed("Upper", 1, 0.2, 4, 0.1, "@Handle(scope=Upper, type=linear-contour, orient=up)"));
   definition.build = [](const Values& v) {
-    Scene scene;
     const Obb lower = boxAt({-1, 0, -1}, {2, v.at(0), 2});
     const Obb upper = boxAt({-1, v.at(0), -1}, {2, v.at(1), 2});
-    addBox(scene, lower);
-    addBox(scene, upper);
-    scene.scopes.push_back({"Lower", 0, lower});
-    scene.scopes.push_back({"Upper", 0, upper});
-    finish(scene);
-    return scene;
+    return sceneOf({{"Lower", lower}, {"Upper", upper}});
   };
   return definition;
 }

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cmath>
+#include <initializer_list>
+#include <utility>
 
 #include "model/model.h"
 
@@ -29,6 +31,17 @@ inline void addBox(Scene& scene, const Obb& box) {
 
 inline Obb boxAt(const Vec3& origin, const Vec3& size) { return {.origin = origin, .size = size}; }
 
+/// Boxes, each with a scope of its name.
+inline Scene sceneOf(std::initializer_list<std::pair<const char*, Obb>> boxes) {
+  Scene scene;
+  for (const auto& [name, box] : boxes) {
+    addBox(scene, box);
+    scene.scopes.push_back({name, 0, box});
+  }
+  finish(scene);
+  return scene;
+}
+
 /// A box 8 wide, 5 high and 6 deep on the ground around the origin, with Width, Height and Depth measured on the scope `Box`, and a smaller box (a
 /// "door", 1 by 2) on its front with a width and a height of its own.
 inline ModelDefinition boxWithDoor() {
@@ -51,16 +64,10 @@ inline ModelDefinition boxWithDoor() {
   length("DoorWidth", 1, "@Handle(scope=Door, type=linear-contour, orient=right, slip=scope)");
   length("DoorHeight", 2, "@Handle(scope=Door, type=linear-center, orient=up, slip=billboard)");
   definition.build = [](const Values& v) {
-    Scene scene;
     const Vec3 size{v.at(0), v.at(1), v.at(2)};
     const Obb box = boxAt({-size.x / 2, 0, -size.z / 2}, size);
     const Obb door = boxAt({-v.at(3) / 2, 0, size.z / 2}, {v.at(3), v.at(4), 0.1});
-    addBox(scene, box);
-    addBox(scene, door);
-    scene.scopes.push_back({"Box", 0, box});
-    scene.scopes.push_back({"Door", 0, door});
-    finish(scene);
-    return scene;
+    return sceneOf({{"Box", box}, {"Door", door}});
   };
   return definition;
 }
