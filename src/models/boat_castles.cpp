@@ -22,13 +22,14 @@ void drawTopside(const Ship& ship, const Topside& part, std::span<const Material
   const HullForm& hull = ship.plan.hull;
   const int rows = std::max(4, static_cast<int>(std::lround((part.toX - part.fromX) / 1.4)));
   const auto strips = static_cast<int>(bands.size());
+  std::vector<HullLine> lines;
+  for (int j = 0; j <= strips; ++j) lines.emplace_back(hull, part.lowH + (part.highH - part.lowH) * j / strips);
   std::vector<std::vector<Vec3>> grid;
   for (int i = 0; i <= rows; ++i) {
     std::vector<Vec3>& row = grid.emplace_back();
-    for (int j = 0; j <= strips; ++j) {
-      const double h = part.lowH + (part.highH - part.lowH) * j / strips;
-      const double from = part.fromStern ? hull.sternX(h) : part.fromX;
-      row.push_back(mirrored(hull.sideAt(from + (part.toX - from) * i / rows, h), side));
+    for (const HullLine& line : lines) {
+      const double from = part.fromStern ? line.sternX() : part.fromX;
+      row.push_back(mirrored(line.sideAt(from + (part.toX - from) * i / rows), side));
     }
     if (side > 0) std::reverse(row.begin(), row.end());
   }
@@ -41,12 +42,12 @@ void drawTopside(const Ship& ship, const Topside& part, std::span<const Material
 
 /// A deck between the sides, cambered.
 void drawDeck(const Ship& ship, double fromX, double toX, double h) {
-  const HullForm& hull = ship.plan.hull;
+  const HullLine line(ship.plan.hull, h);
   constexpr int kAcross = 6;
   const int rows = std::max(3, static_cast<int>(std::lround((toX - fromX) / 1.6)));
   std::vector<std::vector<Vec3>> grid;
   for (int i = 0; i <= rows; ++i) {
-    const Vec3 edge = hull.sideAt(fromX + (toX - fromX) * i / rows, h);
+    const Vec3 edge = line.sideAt(fromX + (toX - fromX) * i / rows);
     std::vector<Vec3>& row = grid.emplace_back();
     for (int j = 0; j <= kAcross; ++j) {
       const double across = 2.0 * j / kAcross - 1;

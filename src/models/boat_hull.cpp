@@ -9,7 +9,6 @@ namespace dimline::boat {
 
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr int kStations = 44;
 constexpr int kBottomStrakes = 9;  // from the keel to the wale, close together where the bilge turns
 constexpr int kTopStrakes = 7;     // from the wale to the main deck
@@ -30,16 +29,23 @@ std::vector<double> strakeHeights(const HullForm& hull) {
   return heights;
 }
 
+std::vector<HullLine> linesAt(const HullForm& hull, std::span<const double> heights) {
+  std::vector<HullLine> lines;
+  for (const double h : heights) lines.emplace_back(hull, h);
+  return lines;
+}
+
 /// Planking and main deck in one: each rib runs up the starboard side, across the deck and down the port side.
 void drawPlanking(const Ship& ship) {
   const HullForm& hull = ship.plan.hull;
   const std::vector<double> heights = strakeHeights(hull);
   const std::size_t strakes = heights.size();
+  const std::vector<HullLine> lines = linesAt(hull, heights);
   std::vector<std::vector<Vec3>> ribs;
   for (int i = 0; i <= kStations; ++i) {
     const double u = station(i);
     std::vector<Vec3>& rib = ribs.emplace_back();
-    for (const double h : heights) rib.push_back(hull.side(u, h));
+    for (const HullLine& line : lines) rib.push_back(line.side(u));
     const Vec3 edge = rib.back();
     for (int j = 1; j < 2 * kDeckStrakes; ++j) {
       const double across = 1 - static_cast<double>(j) / kDeckStrakes;
@@ -152,13 +158,14 @@ void drawWales(const Ship& ship) {
 void drawBulwarks(const Ship& ship) {
   Builder& b = ship.b;
   const HullForm& hull = ship.plan.hull;
-  const double strakes[] = {-0.05, 0.5, kBulwark};
+  const double strakes[] = {hull.depth - 0.05, hull.depth + 0.5, hull.depth + kBulwark};
+  const std::vector<HullLine> lines = linesAt(hull, strakes);
   for (const int side : kSides) {
     std::vector<std::vector<Vec3>> rows;
     for (int i = 0; i <= kStations; ++i) {
       std::vector<Vec3>& row = rows.emplace_back();
       const double u = std::min(station(i), 0.999);
-      for (const double up : strakes) row.push_back(mirrored(hull.side(u, hull.depth + up), side));
+      for (const HullLine& line : lines) row.push_back(mirrored(line.side(u), side));
       // Rows go forward. Their points must run to the right seen from outside when the next row is up: down to starboard.
       if (side > 0) std::reverse(row.begin(), row.end());
     }

@@ -7,7 +7,6 @@ namespace dimline::boat {
 
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr double kMidship = 0.54;   // where along u the hull is broadest
 constexpr double kForefoot = 0.84;  // where the keel ends and the stem begins, as a share of the length
 
@@ -49,6 +48,19 @@ Mast squareMast(const Plan& plan, double x, double height, int shrouds) {
   return mast;
 }
 
+/// How much of the sheer there is at a height: all of it at the main deck.
+double sheerAt(const HullForm& hull, double h) {
+  return hull.sheer * std::pow(std::clamp(h / hull.depth, 0.0, 1.0), 1.2);
+}
+
+/// How far the hull's lines have risen at u, from amidships to both ends.
+double riseOf(double sheer, double u) {
+  const double out = (u - 0.5) / 0.5;
+  return sheer * out * out * (out > 0 ? 0.8 : 1.0);
+}
+
+double riseAtStern(const HullForm& hull, double h) { return riseOf(sheerAt(hull, h), 0); }
+
 }  // namespace
 
 double HullForm::midship(double h) const {
@@ -58,36 +70,45 @@ double HullForm::midship(double h) const {
   return half * (1 - 0.42 * (1 - std::exp(-std::pow((h - w) / (0.95 * depth), 1.6))));
 }
 
-double HullForm::rise(double u, double h) const {
-  const double out = (u - 0.5) / 0.5;
-  const double share = std::pow(std::clamp(h / depth, 0.0, 1.0), 1.2);
-  return sheer * share * out * out * (out > 0 ? 0.8 : 1.0);
-}
-
-double HullForm::sternX(double h) const { return kSternRake * (depth + rise(0, depth) - h - rise(0, h)); }
+double HullForm::sternX(double h) const { return kSternRake * (depth + riseAtStern(*this, depth) - h - riseAtStern(*this, h)); }
 
 double HullForm::stemX(double h) const {
   const double t = 1 - std::clamp(h / depth, 0.0, 1.0);
   return length * mix(kForefoot, 1, std::sqrt(std::max(1 - t * t, 0.0)));
 }
 
-Vec3 HullForm::side(double u, double h) const {
-  const double level = std::clamp(h / depth, 0.0, 1.0);
-  const double broadest = midship(h);
+Vec3 HullForm::side(double u, double h) const { return HullLine(*this, h).side(u); }
+
+double HullForm::uAt(double x, double h) const { return HullLine(*this, h).uAt(x); }
+
+Vec3 HullForm::sideAt(double x, double h) const { return HullLine(*this, h).sideAt(x); }
+
+HullLine::HullLine(const HullForm& hull, double h)
+    : h_(h),
+      sheerThere_(sheerAt(hull, h)),
+      sternX_(hull.sternX(h)),
+      stemX_(hull.stemX(h)),
+      broadest_(hull.midship(h)),
+      transom_(broadest_ * 0.7 * std::sqrt(smoothStep(hull.tuck(), 0.95 * hull.depth, h))) {
+  const double level = std::clamp(h / hull.depth, 0.0, 1.0);
+  runPower_ = mix(1.7, 2.3, level);
+  runFullness_ = mix(1.35, 1, level);
+  entrancePower_ = mix(1.6, 2.7, std::pow(level, 0.8));
+  entranceFullness_ = mix(1.1, 0.6, level);
+}
+
+double HullLine::uAt(double x) const { return std::clamp((x - sternX_) / (stemX_ - sternX_), 0.0, 1.0); }
+
+Vec3 HullLine::side(double u) const {
   double z = 0;
   if (u < kMidship) {
     const double s = (kMidship - u) / kMidship;
-    const double transom = broadest * 0.7 * std::sqrt(smoothStep(tuck(), 0.95 * depth, h));
-    z = transom + (broadest - transom) * std::pow(1 - std::pow(s, mix(1.7, 2.3, level)), mix(1.35, 1, level));
+    z = transom_ + (broadest_ - transom_) * std::pow(1 - std::pow(s, runPower_), runFullness_);
   } else {
     const double s = (u - kMidship) / (1 - kMidship);
-    z = broadest * std::pow(1 - std::pow(s, mix(1.6, 2.7, std::pow(level, 0.8))), mix(1.1, 0.6, level));
+    z = broadest_ * std::pow(1 - std::pow(s, entrancePower_), entranceFullness_);
   }
-  return {mix(sternX(h), stemX(h), u), h + rise(u, h), z};
-}
-
-double HullForm::uAt(double x, double h) const {
-  return std::clamp((x - sternX(h)) / (stemX(h) - sternX(h)), 0.0, 1.0);
+  return {mix(sternX_, stemX_, u), h_ + riseOf(sheerThere_, u), z};
 }
 
 double Plan::railH(double x) const { return deckH(x) + kBulwark; }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <numbers>
 #include <optional>
 #include <vector>
 
@@ -43,6 +44,8 @@ enum Parameter : std::size_t {
   kParameterCount
 };
 
+inline constexpr double kPi = std::numbers::pi;
+
 // Fixed sizes that more than one part of the ship depends on (m).
 inline constexpr double kKeel = 0.45;      ///< depth of the keel below the planking
 inline constexpr double kBlocks = 0.55;    ///< and the blocks that it stands on
@@ -71,14 +74,30 @@ struct HullForm {
   [[nodiscard]] double tuck() const { return 0.45 * depth; }  ///< below it the stern is as sharp as the bow
   /// Half the ship's breadth amidships.
   [[nodiscard]] double midship(double h) const;
-  /// How far a strake has risen at u.
-  [[nodiscard]] double rise(double u, double h) const;
   [[nodiscard]] double sternX(double h) const;
   [[nodiscard]] double stemX(double h) const;
   /// The starboard side's outer face; u runs from 0 at the stern to 1 at the stem.
   [[nodiscard]] Vec3 side(double u, double h) const;
   [[nodiscard]] double uAt(double x, double h) const;
-  [[nodiscard]] Vec3 sideAt(double x, double h) const { return side(uAt(x, h), h); }
+  [[nodiscard]] Vec3 sideAt(double x, double h) const;
+};
+
+/// The line along the hull's starboard side at one height, for many points of it: what depends on the height alone is worked
+/// out once.
+class HullLine {
+public:
+  HullLine(const HullForm& hull, double h);
+
+  [[nodiscard]] double sternX() const { return sternX_; }
+  [[nodiscard]] double stemX() const { return stemX_; }
+  [[nodiscard]] double uAt(double x) const;
+  [[nodiscard]] Vec3 side(double u) const;
+  [[nodiscard]] Vec3 sideAt(double x) const { return side(uAt(x)); }
+
+private:
+  double h_, sheerThere_, sternX_, stemX_, broadest_, transom_;
+  double runPower_, runFullness_;            ///< abaft the broadest place
+  double entrancePower_, entranceFullness_;  ///< before it
 };
 
 /// A deck of the castles. It and the sides below reach from `fromX` to `toX`, sides to the bulwark's rail.

@@ -9,8 +9,6 @@ namespace dimline::boat {
 
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
-
 // --- Sails ---------------------------------------------------------------------------------------------------------------
 
 void drawCross(const Ship& ship, const SailSurface& surface) {

@@ -61,7 +61,7 @@ void drawPanel(const Ship& ship, const Transom& t) {
 }
 
 /// A cabin window: a gilt frame, leaded bars, glass behind them. Scope of the part: the opening.
-PartId makeWindow(const Ship& ship, double width, double height) {
+PartId makeCabinWindow(const Ship& ship, double width, double height) {
   Builder& b = ship.b;
   return b.part({width, height, 0.12}, [&] {
     const double f = 0.09;
@@ -82,7 +82,7 @@ void drawWindows(const Ship& ship, const Transom& t) {
   Builder& b = ship.b;
   const Plan& plan = ship.plan;
   const double dh = plan.sternDeckHeight, height = dh - 1.05, width = 0.62;
-  const PartId window = makeWindow(ship, width, height);
+  const PartId window = makeCabinWindow(ship, width, height);
   for (std::size_t i = 0; i < plan.stern.size(); ++i) {
     const double floor = plan.hull.depth + static_cast<double>(i) * dh, sill = floor + 0.68;
     const double half = std::min(t.half(sill), t.half(sill + height)) - 0.35;

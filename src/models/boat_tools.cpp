@@ -43,8 +43,8 @@ void enterFrame(Builder& b, const Vec3& origin, const std::array<Vec3, 3>& axes,
 }
 
 void drawStrake(const Ship& ship, const Ring& section, double fromX, double toX, double h, int side) {
-  const HullForm& hull = ship.plan.hull;
-  const double from = hull.uAt(fromX, h), to = std::min(hull.uAt(toX, h), 0.999);
+  const HullLine line(ship.plan.hull, h);
+  const double from = line.uAt(fromX), to = std::min(line.uAt(toX), 0.999);
   // Closer together towards the bow, where the side turns in.
   const int steps = std::max(4, static_cast<int>(std::ceil((to - from) * 24)));
   const auto curve = [](double u) { return 1 - std::pow(1 - u, 1 / 1.5); };
@@ -53,7 +53,7 @@ void drawStrake(const Ship& ship, const Ring& section, double fromX, double toX,
   for (int i = 0; i <= steps; ++i) {
     const double w = first + (last - first) * i / steps;
     const double u = i == 0 ? from : i == steps ? to : 1 - std::pow(1 - w, 1.5);
-    way.push_back(mirrored(hull.side(u, h), side));
+    way.push_back(mirrored(line.side(u), side));
   }
   // To the right of the way is outboard on the starboard side; on the port side the way runs aft.
   if (side < 0) std::reverse(way.begin(), way.end());
@@ -100,13 +100,13 @@ void drawSlackRope(const Ship& ship, const Vec3& from, const Vec3& to, double sa
 }
 
 void enterSide(const Ship& ship, double x, double h, int side) {
-  const HullForm& hull = ship.plan.hull;
+  const HullLine line(ship.plan.hull, h);
   const double reach = 0.3;
-  const Vec3 along = hull.sideAt(x + reach, h) - hull.sideAt(x - reach, h);
+  const Vec3 along = line.sideAt(x + reach) - line.sideAt(x - reach);
   const Vec3 ahead = glm::normalize(mirrored({along.x, 0, along.z}, side));
   const Vec3 out = glm::cross(ahead, Vec3(0, 1, 0)) * static_cast<double>(side);
   // Right-handed with z outboard: x runs to the right seen from outside, forward on the starboard side.
-  enterFrame(ship.b, mirrored(hull.sideAt(x, h), side), {ahead * static_cast<double>(side), {0, 1, 0}, out});
+  enterFrame(ship.b, mirrored(line.sideAt(x), side), {ahead * static_cast<double>(side), {0, 1, 0}, out});
 }
 
 void nameBetween(const Ship& ship, std::string_view name, const Vec3& a, const Vec3& b) {
