@@ -7,6 +7,10 @@ set(CMAKE_CXX_STANDARD_REQUIRED ON)
 set(CMAKE_CXX_EXTENSIONS OFF)
 set(CMAKE_ARCHIVE_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/lib")
 
+# For unity builds, which native presets ask for: what several files instantiate of the library's templates is compiled once
+# for all of them, and that is half of the compile time. Many cores would still like to have several batches.
+set(CMAKE_UNITY_BUILD_BATCH_SIZE 8)
+
 if(NOT EMSCRIPTEN)
   find_program(DIMLINE_CCACHE ccache)
   mark_as_advanced(DIMLINE_CCACHE)

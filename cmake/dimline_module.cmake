@@ -1,10 +1,11 @@
-# dimline_module(<folder> [OBJECT] [DEPS <folders it may include>...] [LIBS <other libraries>...] [EXCLUDE <files>...])
+# dimline_module(<folder> [OBJECT] [DEPS <folders it may include>...] [LIBS <other libraries>...] [EXCLUDE <files>...] [APART <files>...])
 #
 # The library dimline_<folder> out of every .cpp in src/<folder>; a folder of headers alone makes an interface library.
 # OBJECT keeps every file in the link, for code that registers itself and is called by no name.
+# APART are files that a unity build leaves alone: they use names that others of the folder use too, in unnamed namespaces.
 # DEPS is the only way in which a folder reaches another one: tools/check_includes.py holds the sources to it.
 function(dimline_module folder)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "OBJECT" "" "DEPS;LIBS;EXCLUDE")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "OBJECT" "" "DEPS;LIBS;EXCLUDE;APART")
   if(arg_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "dimline_module(${folder}): what is ${arg_UNPARSED_ARGUMENTS}?")
   endif()
@@ -13,6 +14,9 @@ function(dimline_module folder)
   foreach(name IN LISTS arg_EXCLUDE)
     list(REMOVE_ITEM sources "${CMAKE_CURRENT_SOURCE_DIR}/${name}")
   endforeach()
+  if(arg_APART)
+    set_source_files_properties(${arg_APART} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+  endif()
   file(GLOB headers CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/*.h")
 
   list(TRANSFORM arg_DEPS PREPEND dimline_)

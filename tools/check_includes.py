@@ -42,7 +42,7 @@ CONFINED = (
 
 INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*([<"])([^>"\n]+)[>"]', re.MULTILINE)
 MODULE_CALL = re.compile(r"\bdimline_module\(\s*(\w+)([^)]*)\)")
-KEYWORDS = ("OBJECT", "DEPS", "LIBS", "EXCLUDE")
+KEYWORDS = ("OBJECT", "DEPS", "LIBS", "EXCLUDE", "APART")
 
 
 def closure(folder: str) -> set:
