@@ -206,6 +206,8 @@ void Editor::State::draw(const View& view) {
   options.heightPx = static_cast<int>(std::lround(heightPx * devicePixelRatio));
   options.devicePixelRatio = devicePixelRatio;
   options.quality = wanted;
+  // A software rasterizer takes longer for fine light than people pause between two changes, and hardly anybody sees the difference.
+  if (renderer->context().software()) options.light = LightDetail::kCoarse;
   const Overlay overlay{overlayLines, overlayArcs, overlayLeaders, dragMarks, overlayEdges};
   // A picture that cannot be drawn now will not be drawable in the next frame either: no reason to ask for one.
   if (Status status = renderer->draw(view, overlay, options); !status) problem = status.error().message;

@@ -68,7 +68,7 @@ bool Renderer::shows(const Shown& wanted) const {
 Status Renderer::draw(const View& view, const Overlay& overlay, const RenderOptions& options) {
   if (options.widthPx < 1 || options.heightPx < 1) return okStatus();
   const Shown wanted{glm::mat4(view.viewProjection()), options.widthPx, options.heightPx, options.devicePixelRatio,
-                     options.quality, options.ground, options.theme};
+                     options.quality, options.light, options.ground, options.theme};
   if (!shows(wanted)) {
     shown_.reset();
     const bool full = options.quality == RenderQuality::kFull;
@@ -76,7 +76,8 @@ Status Renderer::draw(const View& view, const Overlay& overlay, const RenderOpti
     const double scale = full ? 1.0 : std::min(1.0, std::sqrt(kReducedPixels / area));
     const auto scaled = [&](int px) { return std::max(1, static_cast<int>(std::lround(px * scale))); };
     if (Status status = target_.resize(scaled(options.widthPx), scaled(options.heightPx), full ? kSamples : 1); !status) return status;
-    if (Status status = sceneRenderer_.draw(scene_, view, options.theme, options.quality, options.ground, target_, options.devicePixelRatio * scale);
+    if (Status status = sceneRenderer_.draw(scene_, view, options.theme, options.quality, full ? options.light : LightDetail::kStretched,
+                                                 options.ground, target_, options.devicePixelRatio * scale);
         !status) {
       return status;
     }

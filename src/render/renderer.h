@@ -21,6 +21,7 @@ struct RenderOptions {
   int widthPx = 1, heightPx = 1;     ///< its size in device pixels
   double devicePixelRatio = 1.0;     ///< device pixels per CSS pixel; the view's size is in CSS pixels
   RenderQuality quality = RenderQuality::kFull;
+  LightDetail light = LightDetail::kFine;   ///< of a full picture; a reduced one stretches what there is
   bool ground = true;
   Theme theme;
 };
@@ -67,6 +68,7 @@ class Renderer {
     int widthPx = 0, heightPx = 0;
     double devicePixelRatio = 0;
     RenderQuality quality = RenderQuality::kFull;
+    LightDetail light = LightDetail::kFine;
     bool ground = true;
     Theme theme;
     bool operator==(const Shown&) const = default;

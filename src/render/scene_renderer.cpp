@@ -113,13 +113,14 @@ Status SceneRenderer::prepareSurfaces(const GpuScene& scene) {
   return okStatus();
 }
 
-Status SceneRenderer::updateLight(const GpuScene& scene, RenderQuality quality) {
+Status SceneRenderer::updateLight(const GpuScene& scene, LightDetail wanted) {
   if (shadowStale_) shadow_.render(scene, towardsSun());
   shadowStale_ = false;
-  const LightDetail wanted = quality == RenderQuality::kFull ? LightDetail::kFine : LightDetail::kCoarse;
   if (lightDetail_ && *lightDetail_ >= wanted) return okStatus();
-  lightDetail_ = wanted;
-  return sky_.bake(scene, shadow_, towardsSun(), wanted);
+  const auto baked = sky_.bake(scene, shadow_, towardsSun(), wanted);
+  if (!baked) return baked.error();
+  lightDetail_ = *baked;
+  return okStatus();
 }
 
 void SceneRenderer::fillFrameBlock(const GpuScene& scene, const View& view, const Theme& theme, RenderQuality quality, bool ground,
@@ -161,9 +162,9 @@ void SceneRenderer::fillFrameBlock(const GpuScene& scene, const View& view, cons
   glBindBufferBase(GL_UNIFORM_BUFFER, kFrameBlockBinding, frameBuffer_.id());
 }
 
-Status SceneRenderer::draw(const GpuScene& scene, const View& view, const Theme& theme, RenderQuality quality, bool ground,
+Status SceneRenderer::draw(const GpuScene& scene, const View& view, const Theme& theme, RenderQuality quality, LightDetail light, bool ground,
                            const PictureTarget& target, double devicePixelRatio) {
-  if (Status status = updateLight(scene, quality); !status) return status;
+  if (Status status = updateLight(scene, light); !status) return status;
   fillFrameBlock(scene, view, theme, quality, ground, target, devicePixelRatio);
   target.bind();
   glDisable(GL_BLEND);

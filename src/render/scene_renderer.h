@@ -32,8 +32,8 @@ class SceneRenderer {
   Status sceneChanged(const Scene& source, const GpuScene& scene);
 
   /// Fills the bound target. `devicePixelRatio`: of the target.
-  Status draw(const GpuScene& scene, const View& view, const Theme& theme, RenderQuality quality, bool ground, const PictureTarget& target,
-              double devicePixelRatio);
+  Status draw(const GpuScene& scene, const View& view, const Theme& theme, RenderQuality quality, LightDetail light, bool ground,
+              const PictureTarget& target, double devicePixelRatio);
 
  private:
   /// The shaders of one pattern: plain, and with an image.
@@ -43,8 +43,8 @@ class SceneRenderer {
   };
   /// Compiles what the scene's materials need and is not there yet.
   Status prepareSurfaces(const GpuScene& scene);
-  /// Shadow and sky light, as fine as `quality` asks; nothing to do when the present ones are fine enough.
-  Status updateLight(const GpuScene& scene, RenderQuality quality);
+  /// Shadow and sky light; nothing to do when the present ones are as fine as `wanted`.
+  Status updateLight(const GpuScene& scene, LightDetail wanted);
   void fillFrameBlock(const GpuScene& scene, const View& view, const Theme& theme, RenderQuality quality, bool ground,
                       const PictureTarget& target, double devicePixelRatio);
 

@@ -104,10 +104,11 @@ Status SkyLight::prepare() {
   return okStatus();
 }
 
-Status SkyLight::bake(const GpuScene& scene, const SunShadow& shadow, const Vec3& towardsSun, LightDetail detail) {
+Result<LightDetail> SkyLight::bake(const GpuScene& scene, const SunShadow& shadow, const Vec3& towardsSun, LightDetail detail) {
   const Bounds& bounds = scene.bounds();
-  if (bounds.empty()) return okStatus();
-  const bool stretch = detail == LightDetail::kCoarse && alike(bounds.size(), skyOf_);
+  if (bounds.empty()) return detail;
+  if (detail == LightDetail::kStretched && !alike(bounds.size(), skyOf_)) detail = LightDetail::kCoarse;
+  const bool stretch = detail == LightDetail::kStretched;
   if (!stretch) {
     drawAtlas(scene, detail);
     skyOf_ = bounds.size();
@@ -128,7 +129,8 @@ Status SkyLight::bake(const GpuScene& scene, const SunShadow& shadow, const Vec3
   if (status) status = bakeGround(shadow, detail);
   glBindVertexArray(0);
   glActiveTexture(GL_TEXTURE0);
-  return status;
+  if (!status) return status.error();
+  return detail;
 }
 
 void SkyLight::drawAtlas(const GpuScene& scene, LightDetail detail) {

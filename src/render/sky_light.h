@@ -14,9 +14,12 @@
 
 namespace dimline {
 
-/// How finely light that depends only on the model is worked out. Coarse is for models that change from frame to frame on slow machines: sky light is
-/// then taken over from the model before, stretched to the new one's box, unless the two are too different.
-enum class LightDetail : std::uint8_t { kCoarse, kFine };
+/// How finely light that depends only on the model is worked out.
+enum class LightDetail : std::uint8_t {
+  kStretched,   ///< sky light of the model before, stretched to this one's box, for one that changes from frame to frame on a slow machine
+  kCoarse,
+  kFine
+};
 
 /// Light that comes in from all around, worked out when the model changes and only looked up in a frame. The model is seen from directions spread
 /// over the sky, as depth maps in one atlas; from these, a grid of points through the model's box keeps how much sky each sees, and from
@@ -28,8 +31,9 @@ class SkyLight {
   explicit SkyLight(const GlContext& context);
   Status prepare();
 
-  /// Works out the light. `shadow` must have been rendered for this scene and sun.
-  Status bake(const GpuScene& scene, const SunShadow& shadow, const Vec3& towardsSun, LightDetail detail);
+  /// Works out the light, and gives how finely: coarse where it should be stretched and the two models are too different. `shadow` must have been rendered
+  /// for this scene and sun.
+  Result<LightDetail> bake(const GpuScene& scene, const SunShadow& shadow, const Vec3& towardsSun, LightDetail detail);
 
   /// RGBA8: a point's visible sky. rgb: 0.5 + 2/3 of the first-order coefficients (x, y, z); a: twice the constant one.
   [[nodiscard]] GLuint volumeTexture() const { return volume_.id(); }

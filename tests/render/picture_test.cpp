@@ -348,16 +348,34 @@ TEST_CASE("a model that changes while the picture is reduced ends as if it had b
   test::addBox(large, test::boxAt({-4, 0, -3}, {9, 6, 6}));
   finish(large);
   const View view = viewOf(large, 30, 25);
-  fixture.setScene(large);
-  const Picture expected = fixture.draw(view);
-  fixture.setScene(small);
-  fixture.draw(view);
-  fixture.options.quality = RenderQuality::kReduced;
-  fixture.setScene(large);
-  const Picture moving = fixture.draw(view);
-  CHECK(meanDifference(moving, expected) < 4);
-  fixture.options.quality = RenderQuality::kFull;
-  CHECK(meanDifference(fixture.draw(view), expected) == 0);
+  for (const LightDetail light : {LightDetail::kFine, LightDetail::kCoarse}) {
+    fixture.options.light = light;
+    fixture.setScene(large);
+    const Picture expected = fixture.draw(view);
+    fixture.setScene(small);
+    fixture.draw(view);
+    fixture.options.quality = RenderQuality::kReduced;
+    fixture.setScene(large);
+    const Picture moving = fixture.draw(view);
+    CHECK(meanDifference(moving, expected) < 4);
+    fixture.options.quality = RenderQuality::kFull;
+    CHECK(meanDifference(fixture.draw(view), expected) == 0);
+  }
+}
+
+TEST_CASE("coarse light is hardly told from fine light, and is never kept where fine light is wanted") {
+  PictureFixture fixture;
+  const Scene scene = test::villageScene();
+  const View view = viewOf(scene, 30, 18);
+  fixture.setScene(scene);
+  const Picture fine = fixture.draw(view);
+  fixture.setScene(scene);
+  fixture.options.light = LightDetail::kCoarse;
+  const Picture coarse = fixture.draw(view);
+  CHECK(meanDifference(fine, coarse) > 0);
+  CHECK(meanDifference(fine, coarse) < 1.5);
+  fixture.options.light = LightDetail::kFine;
+  CHECK(meanDifference(fine, fixture.draw(view)) == 0);
 }
 
 TEST_CASE("after its context is lost a renderer goes without a GL call, and the next one draws the same") {
