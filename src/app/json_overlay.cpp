@@ -2,20 +2,12 @@
 
 #include <cmath>
 
+#include "app/editor_words.h"
 #include "app/json.h"
 
 namespace dimline {
 
 namespace {
-
-constexpr std::string_view kPointerKinds[] = {"mouse", "touch", "pen"};
-constexpr std::string_view kLimits[] = {"", "min", "max"};
-constexpr std::string_view kSnaps[] = {"step", "fine", "none"};
-
-template <typename Enum>
-std::string_view nameIn(std::span<const std::string_view> words, Enum value) {
-  return words[static_cast<std::size_t>(value)];
-}
 
 /// A hundredth of a pixel: what the DOM can use, in few digits.
 double roundedPx(double px) { return std::round(px * 100.0) / 100.0; }
@@ -113,9 +105,9 @@ void writeGestures(JsonWriter& json, const Editor& editor) {
     writeValue(json, parameter, gesture.value);
     json.key("text").value(gesture.text).key("difference").value(gesture.difference);
     json.key("limit");
-    gesture.limit == Editor::Gesture::Limit::kNone ? json.null() : json.value(nameIn(kLimits, gesture.limit));
+    gesture.limit == Editor::Gesture::Limit::kNone ? json.null() : json.value(wordFor(kLimits, gesture.limit));
     json.key("handle").value(roundedPx(gesture.handle)).key("direction").value(gesture.direction);
-    json.key("pointer").value(nameIn(kPointerKinds, gesture.pointer)).key("snap").value(nameIn(kSnaps, gesture.snap));
+    json.key("pointer").value(wordFor(kPointerKinds, gesture.pointer)).key("snap").value(wordFor(kSnaps, gesture.snap));
     json.endObject();
   }
   json.endArray();

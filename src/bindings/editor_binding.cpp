@@ -8,6 +8,7 @@
 #include <emscripten/val.h>
 
 #include "app/editor.h"
+#include "app/editor_words.h"
 #include "app/json.h"
 #include "app/json_overlay.h"
 #include "core/text.h"
@@ -34,17 +35,6 @@ std::optional<std::size_t> indexOf(std::string_view word, std::span<const std::s
 
 std::string notOneOf(std::string_view what, std::string_view word, std::span<const std::string_view> words) {
   return std::string(what) + " is one of " + joined(words, "or") + ", not " + inQuotes(word) + ".";
-}
-
-constexpr std::string_view kStandardViews[] = {"three-quarter", "front", "back", "left", "right", "top"};
-constexpr std::string_view kFieldsFrom[] = {"auto", "cpu", "gpu"};
-constexpr std::string_view kPointerKinds[] = {"mouse", "touch", "pen"};
-constexpr std::string_view kPointerTargets[] = {"", "handle", "camera"};
-constexpr std::string_view kEvents[] = {"input", "change", "camera-change", "load"};
-
-template <typename Enum>
-std::string nameIn(std::span<const std::string_view> words, Enum value) {
-  return std::string(words[static_cast<std::size_t>(value)]);
 }
 
 Modifiers modifiersFrom(int bits) {
@@ -200,16 +190,16 @@ public:
 
   // --- Input ---
   std::string pointerDown(int id, const std::string& kind, int button, double x, double y, int modifierBits) {
-    return nameIn(kPointerTargets, editor_.pointerDown(pointerFrom(id, kind, button, x, y, modifierBits)));
+    return std::string(wordFor(kPointerTargets, editor_.pointerDown(pointerFrom(id, kind, button, x, y, modifierBits))));
   }
   std::string pointerMove(int id, const std::string& kind, int button, double x, double y, int modifierBits) {
-    return nameIn(kPointerTargets, editor_.pointerMove(pointerFrom(id, kind, button, x, y, modifierBits)));
+    return std::string(wordFor(kPointerTargets, editor_.pointerMove(pointerFrom(id, kind, button, x, y, modifierBits))));
   }
   void pointerUp(int id, const std::string& kind, int button, double x, double y, int modifierBits) {
     editor_.pointerUp(pointerFrom(id, kind, button, x, y, modifierBits));
   }
   std::string hover(int id, const std::string& kind, int button, double x, double y, int modifierBits) {
-    return nameIn(kPointerTargets, editor_.hover(pointerFrom(id, kind, button, x, y, modifierBits)));
+    return std::string(wordFor(kPointerTargets, editor_.hover(pointerFrom(id, kind, button, x, y, modifierBits))));
   }
   void endHover() { editor_.endHover(); }
   void cancelGesture() { editor_.cancelGesture(); }
@@ -267,7 +257,7 @@ public:
   std::string eventsJson() {
     JsonWriter json;
     json.beginArray();
-    for (const EditorEvent event : editor_.takeEvents()) json.value(nameIn(kEvents, event));
+    for (const EditorEvent event : editor_.takeEvents()) json.value(wordFor(kEvents, event));
     return json.endArray().take();
   }
 
@@ -278,7 +268,7 @@ public:
     editor_.setFieldsFrom(static_cast<Editor::FieldsFrom>(*from));
     return {};
   }
-  [[nodiscard]] std::string fieldsFrom() const { return nameIn(kFieldsFrom, editor_.fieldsFrom()); }
+  [[nodiscard]] std::string fieldsFrom() const { return std::string(wordFor(kFieldsFrom, editor_.fieldsFrom())); }
 
   std::string fieldsJson(const std::string& name) {
     const auto from = indexOf(name, kFieldsFrom);
@@ -303,7 +293,7 @@ public:
     json.key("rebuildMs").value(timings.rebuildMs).key("fieldsMs").value(timings.fieldsMs);
     json.key("visibilityMs").value(timings.visibilityMs);
     json.key("placeMs").value(timings.placeMs).key("drawMs").value(timings.drawMs);
-    json.key("fieldsFrom").value(nameIn(kFieldsFrom, editor_.fieldsMeasuredBy()));
+    json.key("fieldsFrom").value(wordFor(kFieldsFrom, editor_.fieldsMeasuredBy()));
     return json.endObject().take();
   }
 

@@ -233,10 +233,10 @@ struct HandleDrag::Nearby {
   std::optional<Vec2> min, max;   ///< the range's ends, where they are in the picture
   std::vector<Place> ticks;       ///< in the order of their values
   bool shared = false;            ///< several values end at one place
-  bool learned = false;           ///< one value was tried, and the rest is not yet here
+  std::optional<double> unknown;  ///< the first value that is missing here, because its end is not known
 };
 
-HandleDrag::Nearby HandleDrag::lookNearby(double value, const PlacedLine& now, const View& view, Snap snap, bool learn) {
+HandleDrag::Nearby HandleDrag::lookNearby(double value, const PlacedLine& now, const View& view, Snap snap) {
   Nearby nearby;
   const Parameter parameter = snappedBy(model_->parameters()[line_.parameter], snap);
   const Reach reach = [this](double at) { return endAt(at); };
@@ -254,8 +254,8 @@ HandleDrag::Nearby HandleDrag::lookNearby(double value, const PlacedLine& now, c
   const auto placeOf = [&](double at) -> std::optional<std::optional<Vec2>> {
     if (straight) return placeAtM(*straight * (at - value));
     if (!tried.knows(at)) {
-      if (!learn || nearby.learned) return std::nullopt;
-      nearby.learned = true;
+      if (!nearby.unknown) nearby.unknown = at;
+      return std::nullopt;
     }
     const auto endM = tried.endAt(at, reach);
     return endM ? placeAtM(*endM) : std::nullopt;
@@ -291,7 +291,9 @@ HandleDrag::Nearby HandleDrag::lookNearby(double value, const PlacedLine& now, c
 }
 
 bool HandleDrag::learnNearby(double value, const PlacedLine& now, const View& view, Snap snap) {
-  return lookNearby(value, now, view, snap, true).learned;
+  const auto unknown = lookNearby(value, now, view, snap).unknown;
+  if (unknown) search(snap).endAt(*unknown, [this](double at) { return endAt(at); });
+  return unknown.has_value();
 }
 
 void HandleDrag::addMarks(double value, const PlacedLine& now, const View& view, Snap snap, std::vector<DragMark>& marks) {
@@ -299,7 +301,7 @@ void HandleDrag::addMarks(double value, const PlacedLine& now, const View& view,
   const Vec2 along = glm::normalize(old.end - old.start);
   if (value != startValues_.at(line_.parameter)) addGhost(old, now.lineScreen, along, marks);
 
-  const Nearby nearby = lookNearby(value, now, view, snap, false);
+  const Nearby nearby = lookNearby(value, now, view, snap);
   const Vec2 handle = atEnd_ ? now.lineScreen.end : now.lineScreen.start;
   std::optional<Vec2> last;
   for (const Nearby::Place& tick : nearby.ticks) {

@@ -80,9 +80,9 @@ private:
   [[nodiscard]] Segment keptInPlace(const Segment& base) const;
   [[nodiscard]] std::optional<double> endAt(double value) const { return endIn(startValues_, value); }
   [[nodiscard]] std::optional<double> endIn(const Values& others, double value) const;
-  /// The ends of values as the marks need them: without trying any that is not known but `value`, or trying the first that is not.
+  /// The ends of values as the marks need them, as far as they are known.
   struct Nearby;
-  Nearby lookNearby(double value, const PlacedLine& now, const View& view, Snap snap, bool learn);
+  Nearby lookNearby(double value, const PlacedLine& now, const View& view, Snap snap);
   [[nodiscard]] double targetM(const Vec2& screen, const View& view) const;
   [[nodiscard]] const Vec3& endOf(const Segment& segment) const { return atEnd_ ? segment.end : segment.start; }
 

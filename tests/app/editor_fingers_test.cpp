@@ -38,6 +38,16 @@ struct FingerStage : EditorStage {
   PointerTarget down(int id, const Vec2& at) { return editor.pointerDown(finger(id, at)); }
   PointerTarget move(int id, const Vec2& at) { return editor.pointerMove(finger(id, at)); }
   void up(int id, const Vec2& at) { editor.pointerUp(finger(id, at)); }
+  struct Places {
+    Vec2 width, lower;
+  };
+  /// Finger 1 takes hold of Width, finger 2 of Lower; where that is.
+  Places takeTwo() {
+    const Places at{handle("Width"), handle("Lower")};
+    REQUIRE(down(1, at.width) == PointerTarget::kHandle);
+    REQUIRE(down(2, at.lower) == PointerTarget::kHandle);
+    return at;
+  }
   [[nodiscard]] int changes() {
     const auto events = editor.takeEvents();
     return static_cast<int>(std::ranges::count(events, EditorEvent::kChange));
@@ -48,10 +58,7 @@ struct FingerStage : EditorStage {
 
 TEST_CASE("two fingers drag two handles at once, each stays under its own, and it is one undo step") {
   FingerStage stage;
-  const Vec2 width = stage.handle("Width");
-  const Vec2 lower = stage.handle("Lower");
-  REQUIRE(stage.down(1, width) == PointerTarget::kHandle);
-  REQUIRE(stage.down(2, lower) == PointerTarget::kHandle);
+  const auto [width, lower] = stage.takeTwo();
   REQUIRE(stage.move(1, width + Vec2(25, 0)) == PointerTarget::kHandle);
   REQUIRE(stage.move(2, lower + Vec2(0, -50)) == PointerTarget::kHandle);
   stage.frame();
@@ -128,10 +135,7 @@ TEST_CASE("a second finger on another handle of the same parameter, or on none, 
 TEST_CASE("a finger that is taken away takes back what it did, and the others go on") {
   FingerStage stage;
   const Layout before = stage.editor.layout();
-  const Vec2 width = stage.handle("Width");
-  const Vec2 lower = stage.handle("Lower");
-  stage.down(1, width);
-  stage.down(2, lower);
+  const auto [width, lower] = stage.takeTwo();
   stage.move(1, width + Vec2(25, 0));
   stage.move(2, lower + Vec2(0, -50));
   stage.editor.cancelPointer(1);
@@ -147,8 +151,7 @@ TEST_CASE("a finger that is taken away takes back what it did, and the others go
   CHECK(sameLayout(before, stage.editor.layout()));
 
   // What a finger did that was lifted stays, and is a step.
-  stage.down(1, width);
-  stage.down(2, lower);
+  stage.takeTwo();
   stage.move(1, width + Vec2(25, 0));
   stage.move(2, lower + Vec2(0, -50));
   stage.up(1, width + Vec2(25, 0));
@@ -161,10 +164,7 @@ TEST_CASE("a finger that is taken away takes back what it did, and the others go
 TEST_CASE("cancelling takes back what all fingers have done since the first one went down") {
   FingerStage stage;
   const Layout before = stage.editor.layout();
-  const Vec2 width = stage.handle("Width");
-  const Vec2 lower = stage.handle("Lower");
-  stage.down(1, width);
-  stage.down(2, lower);
+  const auto [width, lower] = stage.takeTwo();
   stage.move(1, width + Vec2(25, 0));
   stage.frame();
   stage.up(1, width + Vec2(25, 0));

@@ -295,7 +295,7 @@ test("fingers: the value stands above them, limits buzz, a double tap resets, a 
   await close();
 });
 
-test("two fingers drag two lines at once, each under its own, as one undo step; the value of each stands above its finger", async () => {
+test("two fingers drag two lines at once, each under its own, the second on when the first is lifted: one undo step", async () => {
   const { page: phone, close } = await openPage(browser, { width: 800, height: 900, touch: true });
   await recordEvents(phone);
   const fingers = await fingersOf(phone);
@@ -310,7 +310,8 @@ test("two fingers drag two lines at once, each under its own, as one undo step; 
   await fingers.down(first.at, second.at);
   for (const px of [4, 8, 12]) await fingers.move(along(first, -2 * px), along(second, px));
   await settle(phone);
-  const gestures = await phone.evaluate(() => document.querySelector("dimline-editor").gestures);
+  const gesturesNow = () => phone.evaluate(() => document.querySelector("dimline-editor").gestures);
+  const gestures = await gesturesNow();
   assert.deepEqual(gestures.map(({ parameter }) => parameter), names);
   for (const [i, travelPx] of [-24, 12].entries()) {
     const { handle, value, parameter, limit } = gestures[i];
@@ -318,15 +319,25 @@ test("two fingers drag two lines at once, each under its own, as one undo step; 
     const went = (handle[0] - grips[i].tip[0]) * grips[i].outward[0] + (handle[1] - grips[i].tip[1]) * grips[i].outward[1];
     assert.ok(Math.abs(went - travelPx) <= 3, `${parameter}: ${went} px of the ${travelPx} that its finger went`);
   }
+  // The value of each stands above its finger.
   const texts = await readout(phone).allTextContents();
   assert.equal(texts.length, 2);
   for (const [i, name] of names.entries()) assert.ok(texts[i].startsWith(name), texts[i]);
   await screenshot(phone, "drag-by-two-fingers");
 
+  await fingers.lift(along(first, -24));
+  await fingers.move(null, along(second, 20));
+  await settle(phone);
+  const still = await gesturesNow();
+  assert.deepEqual(still.map(({ parameter }) => parameter), ["Depth"]);
+  assert.ok(still[0].value > gestures[1].value, `${still[0].value} after ${gestures[1].value}`);
+  assert.equal(await readout(phone).count(), 1);
+
   await fingers.up();
   await settle(phone);
   assert.equal(await readout(phone).count(), 0);
-  for (const { parameter: name, value } of gestures) assert.equal(await valueOf(phone, name), value);
+  assert.equal(await valueOf(phone, "Width"), gestures[0].value);
+  assert.equal(await valueOf(phone, "Depth"), still[0].value);
   assert.equal((await takeEvents(phone)).filter((type) => type === "change").length, 1);
   await phone.click("#undo");
   await settle(phone);

@@ -74,12 +74,11 @@ inline ModelDefinition boxWithDoor() {
 
 /// A camera on an orbit around a point: azimuth from +z towards +x, elevation above the horizon.
 inline Camera orbitCamera(const Vec3& target, double distanceM, double azimuthDeg, double elevationDeg, double fovDeg = 35) {
-  constexpr double kRad = 3.14159265358979323846 / 180.0;
   Camera camera;
   camera.target = target;
-  camera.eye = target + distanceM * Vec3(std::sin(azimuthDeg * kRad) * std::cos(elevationDeg * kRad), std::sin(elevationDeg * kRad),
-                                         std::cos(azimuthDeg * kRad) * std::cos(elevationDeg * kRad));
-  camera.fovRad = fovDeg * kRad;
+  camera.eye = target + distanceM * Vec3(std::sin(azimuthDeg * kRadPerDeg) * std::cos(elevationDeg * kRadPerDeg), std::sin(elevationDeg * kRadPerDeg),
+                                         std::cos(azimuthDeg * kRadPerDeg) * std::cos(elevationDeg * kRadPerDeg));
+  camera.fovRad = fovDeg * kRadPerDeg;
   return camera;
 }
 

@@ -64,14 +64,18 @@ export function arcGripOf({ handles, anchor }, picture) {
   return { at: turned(0), turned };
 }
 
-/** Fingers on the screen, by the browser's own input. Each call has all fingers that are down, always in the same order; up() lifts them all. */
+/**
+ * Fingers on the screen, by the browser's own input. Each call has where they are, always in the same order, null for one that it is not about; lift() lifts
+ * those that it is given, up() all.
+ */
 export async function fingersOf(page) {
   const session = await page.context().newCDPSession(page);
   const send = (type, ...points) =>
-    session.send("Input.dispatchTouchEvent", { type, touchPoints: points.map(([x, y], id) => ({ x, y, id })) });
+    session.send("Input.dispatchTouchEvent", { type, touchPoints: points.flatMap((at, id) => (at ? [{ x: at[0], y: at[1], id }] : [])) });
   return {
     down: (...points) => send("touchStart", ...points),
     move: (...points) => send("touchMove", ...points),
+    lift: (...points) => send("touchEnd", ...points),
     up: () => send("touchEnd"),
   };
 }
