@@ -277,7 +277,7 @@ std::vector<Parameter> leverParameters() {
   std::vector<Parameter> p(kLeverParameterCount);
   p[kKnobDiameter] = lengthParameter("KnobDiameter", "Knob diameter", {0.17, 0.12, 0.26, 0.01},
       {"Lever", "How thick the ball is that the hand takes hold of.",
-       "@Handle(scope=Knob, type=spherical-diametric, orient=horizontal, slip=billboard)"});
+       "@Handle(scope=Knob, type=spherical-diametric, orient=horizontal, slip=billboard, align=top)"});
   p[kLeverAngle] = angleParameter("LeverAngle", "Lever angle", {58, 30, 100, 1},
       {"Lever", "How far the arm is raised from the level; the spring follows.",
        "@Handle(scope=Swing, type=angular, orient=front, slip=none)"});
@@ -289,7 +289,7 @@ std::vector<Parameter> leverParameters() {
        "@Handle(scope=BoltGap, type=linear-contour, orient=right, slip=scope, chained)"});
   p[kHubRadius] = lengthParameter("HubRadius", "Hub radius", {0.11, 0.09, 0.15, 0.01},
       {"Bracket", "How far cheeks and arm reach around the pivot.",
-       "@Handle(scope=Hub, type=radial, orient=front, slip=billboard)"});
+       "@Handle(scope=Hub, type=radial, orient=front, slip=billboard, align=right)"});
   p[kSpringDiameter] = lengthParameter("SpringDiameter", "Spring diameter", {0.16, 0.1, 0.22, 0.01},
       {"Spring", "How wide the coil is, measured over its wire.",
        "@Handle(scope=Spring, type=diametric, orient=up, slip=billboard)"});

@@ -241,13 +241,13 @@ std::vector<Parameter> treeParameters(const TreeDefaults& d) {
        handle("Stem", "type=linear-contour, orient=up, slip=object, align=right")});
   p[kTrunkDiameter] = lengthParameter("TrunkDiameter" + d.suffix, title("Trunk diameter"), {d.trunkDiameter, 0.2, 0.9, 0.05},
       {group("Stem"), "How thick the stem is above its roots.",
-       handle("Trunk", "type=diametric, orient=up, slip=billboard")});
+       handle("Trunk", "type=diametric, orient=up, slip=scope, align=bottom")});
   p[kCrownHeight] = lengthParameter("CrownHeight" + d.suffix, title("Crown height"), {d.crownHeight, 3, 10, 0.1},
       {group("Crown"), "How high the crown is, from its lowest to its uppermost leaf.",
        handle("Crown", "type=linear-center, orient=up, slip=object, align=left")});
   p[kCrownWidth] = lengthParameter("CrownWidth" + d.suffix, title("Crown width"), {d.crownWidth, 2.5, 10, 0.1},
       {group("Crown"), "How wide the crown is where it is widest.",
-       handle("Crown", "type=diametric, orient=up, slip=billboard")});
+       handle("Crown", "type=diametric, orient=up, slip=scope")});
   return p;
 }
 

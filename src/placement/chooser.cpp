@@ -107,21 +107,38 @@ bool Chooser::chooseOutside(std::span<const UsableBaseLine> bases, const Measure
 }
 
 /// A candidate's score with what it runs into, of the lines that have landed and of those ahead. Of a score that comes to `enough` or less, no more is worked out.
-double Chooser::scoreAmongOthers(const Candidate& candidate, const ChoiceContext& context, double enough) {
+Chooser::AmongOthers Chooser::amongOthers(const Candidate& candidate, const ChoiceContext& context, double enough) {
   const Segment2& base = candidate.baseScreen;
   const Segment2& foot = candidate.footScreen;
   const Segment2& line = candidate.lineScreen;
   const Landed& others = context.occupied.landed();
-  const Landed::Crossings landed = others.crossings(base, foot, line);
-  double score = candidate.score + (landed.lines ? kScoreIntersect : 0.0) + (landed.extensions ? kScoreCrossesExtension : 0.0) +
-                 (landed.labels ? kScoreCoversLabel : 0.0);
-  if (score <= enough) return score;
-  if (others.nestsWithin(base, line, candidate.guide)) score += kScoreNestsWithin;
+  AmongOthers found{candidate.score, others.crossings(base, foot, line)};
+  const Landed::Crossings& landed = found.landed;
+  found.score += (landed.lines ? kScoreIntersect : 0.0) + (landed.extensions ? kScoreCrossesExtension : 0.0) + (landed.labels ? kScoreCoversLabel : 0.0);
+  if (found.score <= enough) return found;
+  found.nestsWithin = others.nestsWithin(base, line, candidate.guide);
+  if (found.nestsWithin) found.score += kScoreNestsWithin;
   const Landed::Crossings ahead = context.lookAhead.crossings(base, foot, line);
-  score += (ahead.lines ? kScoreIntersect : 0.0) + (ahead.extensions ? kScoreCrossesAhead : 0.0);
-  if (context.lookAhead.crowds(line)) score += kScoreCrowdsAhead;
-  if (context.lookAhead.shadows(foot, line)) score += kScoreShadowsAhead;
-  return score;
+  found.score += (ahead.lines ? kScoreIntersect : 0.0) + (ahead.extensions ? kScoreCrossesAhead : 0.0);
+  if (context.lookAhead.crowds(line)) found.score += kScoreCrowdsAhead;
+  if (context.lookAhead.shadows(foot, line)) found.score += kScoreShadowsAhead;
+  return found;
+}
+
+/// What the extension lines of a chain's members run across; those at its ends are known to the score already.
+void Chooser::addMembers(AmongOthers& among, const ChoiceContext& context) {
+  extensions_.clear();
+  for (const ChosenLine& member : lines_) {
+    for (const Vec2 Segment2::*end : {&Segment2::start, &Segment2::end}) {
+      extensions_.push_back({member.footScreen.*end, member.lineScreen.*end});
+      if (member.footScreen.*end != member.baseScreen.*end) extensions_.push_back({member.baseScreen.*end, member.footScreen.*end});
+    }
+  }
+  const Landed::Crossings crossings = context.occupied.landed().extensionCrossings(extensions_);
+  if (crossings.extensions && !among.landed.extensions) among.score += kScoreCrossesExtension;
+  if (crossings.labels && !among.landed.labels) among.score += kScoreCoversLabel;
+  among.landed.extensions = among.landed.extensions || crossings.extensions;
+  among.landed.labels = among.landed.labels || crossings.labels;
 }
 
 /// computeWinner. Crossings and labels are dear, so they are looked at only for candidates that could still win: crossings only lower a
@@ -134,20 +151,23 @@ bool Chooser::chooseBest(const Measured& measured, const ChoiceContext& context)
     // The second offset comes last, whatever its score.
     if (candidate.secondOffset ? !firstOffsetFailed : found && bestScore >= candidate.score) continue;
     const auto beaten = [&](double score) { return found && bestScore >= score; };
-    const auto scoreInPlace = [&] { return scoreAmongOthers(candidate, context, found ? bestScore : -std::numeric_limits<double>::infinity()); };
-    double score = scoreInPlace();
-    if (beaten(score)) continue;
+    const auto inPlace = [&] { return amongOthers(candidate, context, found ? bestScore : -std::numeric_limits<double>::infinity()); };
+    AmongOthers among = inPlace();
+    if (beaten(among.score)) continue;
     const Segment2 triedAt = candidate.lineScreen;
     if (!settle(candidate, measured, context)) {
       firstOffsetFailed = firstOffsetFailed || candidate.hasSecondOffset;
       continue;
     }
     // Its label may have pushed it to where it runs into more.
-    if (candidate.lineScreen.start != triedAt.start) score = scoreInPlace();
-    if (beaten(score)) continue;
+    if (candidate.lineScreen.start != triedAt.start) among = inPlace();
+    if (lines_.size() > 1) addMembers(among, context);
+    if (beaten(among.score)) continue;
     found = true;
-    bestScore = score;
+    bestScore = among.score;
     winner_ = candidate;
+    winnerAmongOthers_ = among;
+    std::swap(extensions_, winnerExtensions_);
     std::swap(lines_, winnerLines_);
   }
   return found;
@@ -169,14 +189,16 @@ void Chooser::chooseInside(const Measured& measured, const CandidateContext& can
 
 Chooser::Worth Chooser::worth(const Landed& landed) const {
   if (winner_.placement == PlacementKind::kInside) return {kScoreInside, {}, false};
-  const Candidate& c = winner_;
-  const Landed::Crossings crossings = landed.crossings(c.baseScreen, c.footScreen, c.lineScreen);
-  const bool nests = landed.nestsWithin(c.baseScreen, c.lineScreen, c.guide);
-  const Landed::Tangle tangle = landed.tangle(c.baseScreen, c.footScreen, c.lineScreen);
+  const Landed::Crossings& crossings = winnerAmongOthers_.landed;
+  const bool nests = winnerAmongOthers_.nestsWithin;
+  const auto tangled = [&] {
+    return winnerLines_.size() > 1 ? landed.tangle(winner_.lineScreen, winnerExtensions_) : landed.tangle(winner_.baseScreen, winner_.footScreen, winner_.lineScreen);
+  };
+  const Landed::Tangle tangle = crossings.extensions ? tangled() : Landed::Tangle{};
   const double runsInto = (crossings.lines ? kScoreIntersect : 0.0) + (crossings.labels ? kScoreCoversLabel : 0.0) +
                           kScoreTangle * tangle.lines +
                           (nests ? kScoreNestedWrongly : 0.0);
-  return {c.score - c.hysteresis + runsInto, tangle, nests};
+  return {winner_.score - winner_.hysteresis + runsInto, tangle, nests};
 }
 
 /// Fills `lines_` with the lines that a candidate stands for. False when there is none that has room.

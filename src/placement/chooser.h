@@ -65,7 +65,13 @@ class Chooser {
   bool chooseAgain(const Measured& measured, const CandidateContext& candidates, const ChoiceContext& context);
   bool chooseBest(const Measured& measured, const ChoiceContext& context);
   void chooseInside(const Measured& measured, const CandidateContext& candidates, const ChoiceContext& context);
-  [[nodiscard]] static double scoreAmongOthers(const Candidate& candidate, const ChoiceContext& context, double enough);
+  struct AmongOthers {
+    double score = 0;             ///< px
+    Landed::Crossings landed;
+    bool nestsWithin = false;
+  };
+  [[nodiscard]] static AmongOthers amongOthers(const Candidate& candidate, const ChoiceContext& context, double enough);
+  void addMembers(AmongOthers& among, const ChoiceContext& context);
   bool settle(Candidate& candidate, const Measured& measured, const ChoiceContext& context);
   bool expand(const Candidate& candidate, const Measured& measured, const ChoiceContext& context);
   bool expandChain(const Candidate& candidate, const Measured& measured, const ChoiceContext& context);
@@ -75,8 +81,11 @@ class Chooser {
   BaseLineTally tally_;
   bool cramped_ = false;
   Candidate winner_;
+  AmongOthers winnerAmongOthers_;           ///< of a winner outside
   std::vector<ChosenLine> winnerLines_;
   std::vector<ChosenLine> lines_;           ///< of the candidate that is looked at
+  std::vector<Segment2> extensions_;        ///< of the chain that is looked at: of all its members, in parts
+  std::vector<Segment2> winnerExtensions_;
   std::vector<UsableBaseLine> bases_;
   std::vector<UsableBaseLine> chainBases_;
   std::vector<Candidate> candidates_;

@@ -93,17 +93,29 @@ Landed::Crossings Landed::crossings(const Segment2& base, const Segment2& foot, 
 }
 
 Landed::Tangle Landed::tangle(const Segment2& base, const Segment2& foot, const Segment2& line) const {
+  const auto parts = partsOf(base, foot, line);
+  return tangle(line, std::span(parts).subspan(1));
+}
+
+Landed::Tangle Landed::tangle(const Segment2& line, std::span<const Segment2> extensions) const {
   Tangle tangle;
   const auto crossed = std::ranges::find_if(extensions_, [&](const Extension& e) { return segmentsCross(line, e.segment, kCrossingPx); });
   if (crossed != extensions_.end()) tangle = {1, crossed->parameter};
-  const auto parts = partsOf(base, foot, line);
-  const std::span<const Segment2> own = std::span(parts).subspan(1);
   for (const Line& l : lines_) {
-    if (std::ranges::none_of(own, [&](const Segment2& part) { return segmentsCross(part, l.segment, kCrossingPx); })) continue;
+    if (std::ranges::none_of(extensions, [&](const Segment2& part) { return segmentsCross(part, l.segment, kCrossingPx); })) continue;
     ++tangle.lines;
     tangle.parameter = l.parameter;
   }
   return tangle;
+}
+
+Landed::Crossings Landed::extensionCrossings(std::span<const Segment2> extensions) const {
+  Crossings found;
+  for (const Segment2& part : extensions) {
+    found.extensions = found.extensions || std::ranges::any_of(lines_, [&](const Line& l) { return segmentsCross(part, l.segment, kCrossingPx); });
+    found.labels = found.labels || std::ranges::any_of(labels_, [&](const Box2& label) { return meets(part, label); });
+  }
+  return found;
 }
 
 bool Landed::nestsWithin(const Segment2& base, const Segment2& line, int guide) const {

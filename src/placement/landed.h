@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "placement/layout.h"
@@ -40,6 +41,10 @@ class Landed {
     int parameter = -1;      ///< whose line, or extension line, is in it with this one; -1 without one, and for a handle that is no line
   };
   [[nodiscard]] Tangle tangle(const Segment2& base, const Segment2& foot, const Segment2& line) const;
+  /// The same for a chain: `line` from its one end to the other, and the extension lines of all its members.
+  [[nodiscard]] Tangle tangle(const Segment2& line, std::span<const Segment2> extensions) const;
+  /// Whether one of these runs across a line that has landed, or through a label.
+  [[nodiscard]] Crossings extensionCrossings(std::span<const Segment2> extensions) const;
 
   /// Whether a line is nearer to the model than one that has landed, on another guide, and runs beside it on the same side of their base lines.
   [[nodiscard]] bool nestsWithin(const Segment2& base, const Segment2& line, int guide) const;

@@ -1,6 +1,7 @@
 #include "placement/visibility.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/constants.h"
 
@@ -24,6 +25,7 @@ bool inView(const View& view, const Obb& box) {
 
 void Sight::age(int frames) {
   still_ = frames == 0;
+  recent_ *= std::pow(kSightFading, frames);
   const int direction = frames_ > 0 ? 1 : -1;
   if (frames_ != 0) frames_ = std::clamp(frames_ + direction * frames, -kReturnFrames, kReturnFrames);
 }
@@ -37,7 +39,8 @@ bool Sight::see(double share) {
   if (still_ && share == share_) return frames_ > 0;
   if (still_) age(kReturnFrames);
   share_ = share;
-  const bool seen = share >= leastShare();
+  recent_ = std::max(share, recent_);
+  const bool seen = (frames_ > 0 ? recent_ : share) >= leastShare();
   if (frames_ == 0 || seen != (frames_ > 0)) frames_ = seen ? 1 : -1;
   return seen;
 }

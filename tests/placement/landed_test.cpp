@@ -78,3 +78,17 @@ TEST_CASE("a tangle counts the lines across extension lines, this one and those 
   landed.add(second, -1);
   CHECK(landed.tangle(overlapping, overlapping, {{150, 0}, {300, 0}}).lines == 2);   // its extension line runs across both
 }
+
+TEST_CASE("of a chain, all members' extension lines count") {
+  Landed landed = withShortLine();
+  landed.addLabel({{400, 20}, {440, 40}});
+  const Segment2 across{{50, 10}, {300, 10}};
+  const std::vector<Segment2> atEnds{{{50, 100}, {50, 10}}, {{300, 100}, {300, 10}}};
+  CHECK(landed.tangle(across, atEnds).lines == 0);
+  CHECK_FALSE(landed.extensionCrossings(atEnds).extensions);
+  const std::vector<Segment2> between{{{50, 100}, {50, 10}}, {{150, 100}, {150, 10}}, {{160, 100}, {160, 10}}, {{300, 100}, {300, 10}}};
+  CHECK(landed.tangle(across, between).lines == 1);   // one line, though two run across it
+  CHECK(landed.extensionCrossings(between).extensions);
+  CHECK_FALSE(landed.extensionCrossings(between).labels);
+  CHECK(landed.extensionCrossings(std::vector<Segment2>{{{420, 100}, {420, 10}}}).labels);
+}

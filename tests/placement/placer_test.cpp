@@ -189,6 +189,38 @@ TEST_CASE("a lone box seen orthographically from the front: the width line lies 
   CHECK(line.label->center().x == Approx(500));
 }
 
+TEST_CASE("a chain keeps clear of a line that the extension lines of its inner members would run across") {
+  // Three bays on the front of a wall, nearer to its foot than to its top; and a plate whose line lies below, between the chain's ends.
+  ModelDefinition definition;
+  definition.name = "wall";
+  definition.title = "Wall";
+  const auto length = [&](const char* name, double value, const char* annotation) {
+    definition.parameters.push_back(
+        {.name = name, .title = name, .unit = Unit::kMetre, .defaultValue = value, .min = 0.5, .max = 5, .step = 0.1, .annotation = annotation});
+  };
+  length("Plate", 1, "@Handle(scope=Plate, type=linear-center, orient=right, slip=scope, align=bottom)");
+  length("Bay", 3, "@Handle(scope=Bay, type=linear-contour, orient=right, slip=scope, chained)");
+  definition.build = [](const Values& v) {
+    const double bay = v.at(1);
+    Scene scene = sceneOf({{"Wall", boxAt({-5, 0, -1}, {10, 6, 1})}, {"Plate", boxAt({1, 1, 0}, {v.at(0), 0.2, 0.05})}});
+    for (std::uint32_t i = 0; i < 3; ++i) scene.scopes.push_back({"Bay", i, boxAt({-1.5 * bay + i * bay, 1.5, 0}, {bay, 1, 0.05})});
+    return scene;
+  };
+  Stage stage(std::move(definition));
+  Camera camera;
+  camera.eye = {0, 3, 30};
+  camera.target = {0, 3, 0};
+  camera.orthoHeightM = 20;
+  const Layout& layout = stage.look(camera);
+  const PlacedLine* plate = stage.find("Plate");
+  const PlacedLine* bay = stage.find("Bay");
+  REQUIRE(plate != nullptr);
+  REQUIRE(bay != nullptr);
+  REQUIRE(std::ranges::count(layout.lines, bay->chain, &PlacedLine::chain) == 3);
+  CHECK(plate->lineScreen.start.y > 650);   // the wall covers y from 350 to 650
+  CHECK(bay->lineScreen.start.y < 350);
+}
+
 TEST_CASE("zoomed in until the silhouette leaves the viewport, lines lie on their base lines") {
   Stage stage(boxWithDoor());
   Camera camera = orbitCamera({0, 1, 3}, 3.5, 10, 5);

@@ -1,5 +1,7 @@
 #include "placement/visibility.h"
 
+#include <cmath>
+
 #include <catch2/catch.hpp>
 
 #include "core/constants.h"
@@ -36,6 +38,26 @@ TEST_CASE("what has just come into sight stays for a while, whatever is seen of 
   }
   sight.age(1);
   CHECK_FALSE(sight.see(0.0));
+}
+
+TEST_CASE("a frame in which nothing is seen of what was plainly seen means little, several on end do not") {
+  Sight sight = settled(true);
+  REQUIRE(sight.see(0.6));
+  for (int round = 0; round < 5; ++round) {
+    for (int frame = 0; frame < 3; ++frame) {
+      sight.age(1);
+      REQUIRE(sight.see(0.0));
+    }
+    sight.age(1);
+    REQUIRE(sight.see(0.6));
+  }
+  int frames = 0;
+  do {
+    sight.age(1);
+    ++frames;
+  } while (sight.see(0.0) && frames < kReturnFrames);
+  // 0.6 fades to kSeenShareToKeep in so many frames.
+  CHECK(frames == static_cast<int>(std::ceil(std::log(kSeenShareToKeep / 0.6) / std::log(kSightFading) + 1e-9)));
 }
 
 TEST_CASE("what has just left comes back only when plenty is seen, and later as at first") {
