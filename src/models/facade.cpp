@@ -26,13 +26,13 @@ std::vector<Parameter> parameters() {
   std::vector<Parameter> p(kParameterCount);
   p[kSillHeight] = lengthParameter("SillHeight", "Windowsill height", {0.9, 0.3, 1.2, 0.05},
       {"Windows", "How high the windows begin above the floor of their storey.",
-       "@Handle(scope=Sill, type=linear-contour, orient=up, slip=scope, align=left, chained)"});
+       "@Handle(scope=Sill, type=linear-contour, orient=up, slip=scope, align=right, chained)"});
   p[kWindowWidth] = lengthParameter("WindowWidth", "Window width", {1.3, 0.8, 1.7, 0.05},
       {"Windows", "How wide the windows are on the whole; each one is this times a random number of its own.",
        "@Handle(scope=Window, type=linear-contour, orient=right, slip=scope, align=top, chained, indirect)"});
   p[kWindowHeight] = lengthParameter("WindowHeight", "Window height", {1.7, 1.0, 2.0, 0.05},
       {"Windows", "How high every window is.",
-       "@Handle(scope=Window, type=linear-contour, orient=up, slip=scope, align=left, chained)"});
+       "@Handle(scope=Window, type=linear-contour, orient=up, slip=scope, align=right, chained)"});
   return p;
 }
 
