@@ -125,8 +125,8 @@ def wait_for_build(preset: str) -> None:
 
 # What takes longest begins first, so that nothing waits for it alone at the end; the rest in the order of their names.
 LONGEST = ("test_cli", "test_app", "test_models", "test_silhouette", "test_render",
-           "every_model.test.mjs", "follow_even_models.test.mjs", "follow_odd_models.test.mjs",
-           "gesture.test.mjs", "keyboard.test.mjs", "drag.test.mjs", "panel.test.mjs", "fields.test.mjs")
+           "gesture.test.mjs", "panel.test.mjs", "keyboard.test.mjs", "drag.test.mjs", "fields.test.mjs", "follow.test.mjs", "models.test.mjs",
+           "robust.test.mjs", "every_model.test.mjs")
 
 
 def longest_first(names) -> list:

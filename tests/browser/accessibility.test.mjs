@@ -28,7 +28,7 @@ async function findings(page) {
 }
 
 test("axe-core sees into the element: a name that is taken away there is found", async () => {
-  const { page, close } = await openPage(browser);
+  const { page, close } = await openPage(browser, { drawn: false });
   await page.evaluate(() => document.querySelector("dimline-editor").shadowRoot.querySelector("[role=slider]").removeAttribute("aria-label"));
   const { grave, passed } = await findings(page);
   assert.ok(grave.length === 1 && /^aria-input-field-name/.test(grave[0]), grave.join("\n"));
@@ -38,7 +38,7 @@ test("axe-core sees into the element: a name that is taken away there is found",
 
 for (const model of ["house", "boat", "candler", "omni-tree", "lever"]) {
   test(`${model}: nothing serious`, async () => {
-    const { page, close } = await openPage(browser, { path: `?model=${model}` });
+    const { page, close } = await openPage(browser, { path: `?model=${model}`, drawn: false });
     const { grave, passed } = await findings(page);
     assert.deepEqual(grave, []);
     assert.ok(passed.length > 15, `${passed.length} rules held`);
@@ -47,7 +47,7 @@ for (const model of ["house", "boat", "candler", "omni-tree", "lever"]) {
 }
 
 test("nothing serious while a value is typed, wrongly even, while a choice is open, and in the list of models", async () => {
-  const { page, close } = await openPage(browser, { width: 1100, height: 800 });
+  const { page, close } = await openPage(browser, { width: 1100, height: 800, drawn: false });
   await page.mouse.click(...(await labelOf(page, "Width")));
   await page.keyboard.type("3 apples");
   await page.keyboard.press("Enter");
@@ -68,7 +68,7 @@ test("nothing serious while a value is typed, wrongly even, while a choice is op
 });
 
 test("nothing serious on a phone, with the panel open and folded", async () => {
-  const { page, close } = await openPage(browser, { width: 390, height: 844, dpr: 2, touch: true });
+  const { page, close } = await openPage(browser, { width: 390, height: 844, dpr: 2, touch: true, drawn: false });
   assert.deepEqual((await findings(page)).grave, []);
   await page.tap("#fold");
   await settle(page);

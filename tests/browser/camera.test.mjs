@@ -7,7 +7,7 @@ import { call, cameraOf, distance, launch, layoutOf, openPage, pictureBox, settl
 let browser, tab, page, home, free;
 before(async () => {
   browser = await launch();
-  tab = await openPage(browser, { width: 1000, height: 700, touch: true });
+  tab = await openPage(browser, { width: 1000, height: 700, touch: true, drawn: false });
   page = tab.page;
   home = await cameraOf(page);
   free = await freeSpot();

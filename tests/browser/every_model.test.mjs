@@ -1,5 +1,5 @@
 // In every built-in model, by the browser's own input: a finger drags a line, keys move sliders, values are typed, angles are turned, switches and choices are used,
-// and all of it can be undone to the very start. What the mouse does with lines is told by the follow tests.
+// and all of it can be undone to the very start. What the mouse does with lines is told by follow.test.mjs.
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import { arcGripOf, fingersOf, gripsOf, inside, labelOf, middleOf, modelNames, sliderOf } from "./support/handles.mjs";
@@ -11,7 +11,7 @@ const kNearPx = 3;
 let browser, tab, page, fingers, picture;
 before(async () => {
   browser = await launch();
-  tab = await openPage(browser, { width: 800, height: 560, dpr: 0.5, touch: true, reducedMotion: "reduce" });
+  tab = await openPage(browser, { width: 800, height: 560, drawn: false, touch: true, reducedMotion: "reduce" });
   page = tab.page;
   fingers = await fingersOf(page);
   picture = await pictureBox(page);
@@ -54,7 +54,7 @@ async function byFinger(what) {
     const { parameter: held, handle, limit, value } = await gesture();
     assert.equal(held, name, `${what}: something else was taken hold of`);
     const ahead = project([handle[0] - grip.tip[0], handle[1] - grip.tip[1]], grip.outward) - sense * kTravelPx;
-    // Where only some lengths are to be had, the handle may be half way to the next one; how near it comes then is told by the follow tests.
+    // Where only some lengths are to be had, the handle may be half way to the next one; how near it comes then is told by follow.test.mjs.
     assert.ok(Math.abs(ahead) <= kNearPx || limit || line.indirect || line.chain, `${what}, ${name}: ${ahead.toFixed(1)} px from the finger at ${value}`);
     if (value !== (await parameter(name)).default) changed += 1;
     await fingers.move(at(0));

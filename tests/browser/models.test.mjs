@@ -102,7 +102,7 @@ for (const [width, height, touch] of [
   [3840, 2160, false],
 ]) {
   test(`${width} x ${height}: the menu fits, and every card can be reached and is large enough`, async () => {
-    const { page, close } = await openPage(browser, { width, height, touch });
+    const { page, close } = await openPage(browser, { width, height, touch, drawn: false });
     await openMenu(page);
     await page.waitForTimeout(300);
     await screenshot(page, `model-menu-${width}`);

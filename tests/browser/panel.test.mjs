@@ -221,7 +221,7 @@ for (const [name, width, height, dpr, touch] of [
 }
 
 test("the phone's sheet folds away and gives its room to the picture", async () => {
-  const { page: phone, close } = await openPage(browser, { width: 360, height: 740, touch: true });
+  const { page: phone, close } = await openPage(browser, { width: 360, height: 740, touch: true, drawn: false });
   const before = await pictureBox(phone);
   await phone.tap("#fold");
   await settle(phone);

@@ -239,7 +239,7 @@ test("two elements on a page do not know each other; one that leaves frees what 
 });
 
 test("before it is ready, a call says what to wait for", async () => {
-  const { page, close } = await openPage(browser);
+  const { page, close } = await openPage(browser, { drawn: false });
   const message = await page.evaluate(() => {
     const other = document.createElement("dimline-editor");
     try {

@@ -47,11 +47,19 @@ export async function withBrowser(body, moreArguments) {
   }
 }
 
+/** In a tab that nobody looks at: WebGL draws nothing, as if a graphics card were done at once. Everything else is as ever. */
+function drawNothing() {
+  for (const name of ["drawArrays", "drawElements", "drawElementsInstanced", "clear", "blitFramebuffer", "generateMipmap"]) {
+    WebGL2RenderingContext.prototype[name] = () => {};
+  }
+}
+
 /**
  * A tab with the page in it.
  * @param {import("playwright-core").Browser} browser
  * @param {object} [options] width, height: of the window in CSS px; dpr: device pixels per CSS pixel; touch: as on a phone;
- *   path: what to open; prepare: called with the tab before it loads anything; reducedMotion; waitReady: false leaves it loading
+ *   path: what to open; prepare: called with the tab before it loads anything; reducedMotion; drawn: false leaves the picture blank, for tests that look at
+ *   no pixel, because software takes most of their time for it; waitReady: false leaves it loading
  * @returns {Promise<{page: import("playwright-core").Page, complaints: string[], close: () => Promise<void>}>}
  *   complaints: console errors and warnings, uncaught exceptions and refused requests so far
  */
@@ -64,6 +72,7 @@ export async function openPage(browser, options = {}) {
     path = "",
     prepare,
     reducedMotion = "no-preference",
+    drawn = true,
     waitReady = true,
   } = options;
   const context = await browser.newContext({
@@ -82,6 +91,7 @@ export async function openPage(browser, options = {}) {
   });
   page.on("pageerror", (error) => complaints.push(`uncaught: ${error.stack ?? error.message}`));
   page.on("requestfailed", (request) => complaints.push(`failed: ${request.url()} ${request.failure()?.errorText}`));
+  if (!drawn) await page.addInitScript(drawNothing);
   await prepare?.(page);
   await page.goto(pageUrl(path));
   if (waitReady) {

@@ -1,3 +1,0 @@
-import { followEverySecond } from "./support/follow.mjs";
-
-followEverySecond(1);
