@@ -4,8 +4,9 @@
 
 namespace dimline {
 
-void Occupied::begin(const DistanceFields& model) {
-  pad(model, kHandleSpacingPx, paddedModel_);
+void Occupied::begin(const DistanceFields& model) { pad(model, kHandleSpacingPx, paddedModel_); }
+
+void Occupied::clear() {
   padded_ = paddedModel_;
   landed_.clear();
   guides_.clear();

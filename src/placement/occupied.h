@@ -11,8 +11,10 @@ namespace dimline {
 /// its distance from everything, so no step after the query needs to add padding.
 class Occupied {
  public:
-  /// A frame begins: nothing but the model is there.
+  /// A frame begins.
   void begin(const DistanceFields& model);
+  /// Nothing but the model is there: before each attempt at the frame.
+  void clear();
 
   [[nodiscard]] const DistanceFields& paddedModel() const { return paddedModel_; }   ///< the model alone, with handleSpacing
   [[nodiscard]] const DistanceFields& padded() const { return padded_; }             ///< model and all that has landed

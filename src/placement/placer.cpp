@@ -248,6 +248,7 @@ void Placer::place(const View& view, const DistanceFields& fields, const Values&
   s.firm = !sceneChanged && held.empty() && !wasHeld;
   const bool mends = s.firm && viewMoved;
   if (mends) s.beforeAttempts = s.past;
+  s.occupied.begin(fields);
   s.placeWithRoom(frame, layout);
   if (mends) s.mend(frame, layout);
 
@@ -319,7 +320,7 @@ bool Placer::State::placeAll(const FrameToPlace& frame, std::size_t crowded, Lay
   recycle(layout.others, spareHandles);
   layout.others.reserve(others.size());   // however many of them found no place until now
   layout.hidden.clear();
-  occupied.begin(fields);
+  occupied.clear();
   // What is held stays where it is: shorter lines come before it, but their labels must leave room for its own.
   for (const PlacedLine& line : held) {
     if (line.label) occupied.reserve(*line.label);

@@ -1,6 +1,7 @@
 #include "placement/visibility.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "core/constants.h"
@@ -8,12 +9,28 @@
 namespace dimline {
 
 bool inView(const View& view, const Obb& box) {
+  // Homogeneous pixels, and the depth, are linear in the world: what the box's sides add to its origin's gives all corners.
+  const auto pixels = [&](const Vec3& v, double one) { return Vec3(view.worldToPixels() * Vec4(v, one)); };
+  std::array<Vec3, 3> side;
+  std::array<double, 3> deeper;
+  for (int axis = 0; axis < 3; ++axis) {
+    const Vec3 v = box.axes[static_cast<std::size_t>(axis)] * box.size[axis];
+    side[static_cast<std::size_t>(axis)] = pixels(v, 0.0);
+    deeper[static_cast<std::size_t>(axis)] = glm::dot(v, view.forward());
+  }
+  const Vec3 origin = pixels(box.origin, 1.0);
+  const double originDepth = view.depth(box.origin);
   unsigned beyondAll = 0x1F;   // one bit a side: near, left, right, top, bottom
-  for (int i = 0; i < 8; ++i) {
-    const Vec3 corner = box.corner(i);
-    const Vec3 h = view.worldToPixels() * Vec4(corner, 1.0);
+  for (unsigned corner = 0; corner < 8; ++corner) {
+    Vec3 h = origin;
+    double depth = originDepth;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      if ((corner >> axis & 1U) == 0) continue;
+      h += side[axis];
+      depth += deeper[axis];
+    }
     unsigned beyond = 0;
-    if (!view.inFrontOfNear(corner)) beyond |= 1U;
+    if (!(depth >= view.nearM())) beyond |= 1U;
     if (h.x < 0) beyond |= 2U;
     if (h.x > view.widthPx() * h.z) beyond |= 4U;
     if (h.y < 0) beyond |= 8U;
@@ -25,7 +42,7 @@ bool inView(const View& view, const Obb& box) {
 
 void Sight::age(int frames) {
   still_ = frames == 0;
-  recent_ *= std::pow(kSightFading, frames);
+  recent_ *= frames == 1 ? kSightFading : std::pow(kSightFading, frames);
   const int direction = frames_ > 0 ? 1 : -1;
   if (frames_ != 0) frames_ = std::clamp(frames_ + direction * frames, -kReturnFrames, kReturnFrames);
 }
