@@ -193,6 +193,7 @@ export class Core {
   pointerDown(id, kind, button, x, y, modifiers) {
     return this.#editor.pointerDown(id, kind, button, x, y, modifiers);
   }
+  /** Values follow with the next frame, or when a pointer goes up. */
   pointerMove(id, kind, button, x, y, modifiers) {
     return this.#editor.pointerMove(id, kind, button, x, y, modifiers);
   }

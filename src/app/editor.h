@@ -47,8 +47,8 @@ enum class StandardView : std::uint8_t { kThreeQuarter, kFront, kBack, kLeft, kR
 /// One document, one camera, one frame loop (DESIGN.md section 1). The host (a page, a test, a script) feeds input and time; the editor decides
 /// everything else. Works without GL: then fields are measured on the CPU and nothing is drawn.
 ///
-/// Order of a frame: rebuild the model if values changed; measure fields; place lines; animate; draw. Angles in degrees and values in the parameter's own
-/// unit at this boundary.
+/// Order of a frame: bring values under the pointers that drag handles; rebuild the model if values changed; measure fields; place lines; animate; draw.
+/// Angles in degrees and values in the parameter's own unit at this boundary.
 class Editor {
  public:
   Editor();
@@ -107,7 +107,8 @@ class Editor {
   // --- Input ---
   /// Orbit, pan and zoom in the manner of three.js's OrbitControls: primary drag orbits, secondary (or primary with ctrl/meta/shift) pans, middle drag and
   /// wheel zoom; one finger orbits, two pan and zoom. A handle under the pointer is dragged instead; while one is, further pointers drag the handles that they
-  /// are on, each of another parameter, or do nothing. All that is from the first one down to the last one up is one undo step.
+  /// are on, each of another parameter, or do nothing. All that is from the first one down to the last one up is one undo step. The values follow the handles'
+  /// pointers once a frame, and when a pointer goes down or up.
   PointerTarget pointerDown(const PointerInput& input);
   PointerTarget pointerMove(const PointerInput& input);
   void pointerUp(const PointerInput& input);

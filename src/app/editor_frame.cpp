@@ -26,6 +26,7 @@ bool Editor::frame(double nowMs) {
   State& s = *state_;
   if (std::isfinite(nowMs)) s.nowMs = std::max(s.nowMs, nowMs);
   if (!s.loaded) return false;
+  s.followPointers();
   if (s.sceneStale) s.rebuild();
   if (!s.hasSize()) {
     s.clearLines();
@@ -45,6 +46,7 @@ bool Editor::atRest() const {
   if (!s.loaded) return true;
   if (s.sceneStale) return false;
   if (!s.hasSize()) return true;
+  if (s.handleGesture && s.handleGesture->moved) return false;
   return !s.viewStale && !s.visibilityStale && s.fieldSource.current() && !s.fieldSource.pending() &&
          s.animator.atRest() && s.handleAnimator.atRest() && !s.hoverAnimating() && !s.marksToLearn && !s.wantsBetterPicture() && !(s.renderer && (s.pictureStale || s.marksBehind()));
 }

@@ -1,4 +1,5 @@
 #include <cmath>
+#include <utility>
 
 #include "app/editor_state.h"
 #include "app/ray_cast.h"
@@ -56,7 +57,7 @@ PointerTarget Editor::pointerMove(const PointerInput& input) {
   if (s.handleGesture) {
     const auto hold = s.handleGesture->holdOf(input.id);
     if (hold == s.handleGesture->holds.end()) return PointerTarget::kNothing;
-    if (finite(input.screen)) s.moveHandle(*hold, input);
+    if (finite(input.screen)) s.moveHold(*hold, input);
     return PointerTarget::kHandle;
   }
   if (s.cameraGesture) {
@@ -164,6 +165,7 @@ const PlacedHandle* Editor::State::placedHandleOf(const HandleKey& key) const {
 /// Brings scene and lines up to date with values that were set since the last frame: a drag starts from both.
 void Editor::State::catchUp() {
   if (!handleGesture) finishEdits();
+  followPointers();
   if (!sceneStale) return;
   rebuild();
   const View view = currentView();
@@ -208,10 +210,16 @@ std::optional<ValueDrag> Editor::State::takeHold(const HandleKey& key, const Vec
   return std::nullopt;
 }
 
-void Editor::State::moveHandle(HandleHold& hold, const PointerInput& input) {
-  if (!hasSize()) return;
+/// Only notes where the pointer is: browsers report each pointer by itself and may do so many times a frame, and a value may cost several rebuilds.
+void Editor::State::moveHold(HandleHold& hold, const PointerInput& input) {
   hold.at = input.screen;
   hold.snap = snapFor(input.modifiers);
+  handleGesture->moved = true;
+}
+
+/// Brings the values under the pointers.
+void Editor::State::followPointers() {
+  if (!handleGesture || !hasSize() || !std::exchange(handleGesture->moved, false)) return;
   assign(handleGesture->valuesUnder(values, currentView()));
 }
 
@@ -219,6 +227,7 @@ void Editor::State::moveHandle(HandleHold& hold, const PointerInput& input) {
 void Editor::State::releaseHandle(int pointer) {
   const auto hold = handleGesture->holdOf(pointer);
   if (hold == handleGesture->holds.end()) return;
+  followPointers();
   handleGesture->holds.erase(hold);
   viewStale = true;  // the line is free to find its place again
   if (handleGesture->holds.empty()) endHandleGesture();
@@ -233,12 +242,14 @@ void Editor::State::withdrawHandle(int pointer) {
   next.set(hold->drag.parameter(), hold->drag.startValue());
   if (gesture.holds.size() == 1 && next == gesture.before) return cancelHandleGesture();
   gesture.holds.erase(hold);
+  gesture.moved = false;
   viewStale = true;
   assign(hasSize() ? gesture.valuesUnder(next, currentView()) : next);
   if (gesture.holds.empty()) endHandleGesture();
 }
 
 void Editor::State::endHandleGesture() {
+  followPointers();
   const Values before = std::move(handleGesture->before);
   handleGesture.reset();
   viewStale = true;

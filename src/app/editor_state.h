@@ -156,7 +156,8 @@ struct Editor::State {
   std::optional<ValueDrag> takeHold(const HandleKey& key, const Vec2& grabOffset, const View& view) const;
   void beginCameraGesture(const PointerInput& input);
   void addFinger(const PointerInput& input);
-  void moveHandle(HandleHold& hold, const PointerInput& input);
+  void moveHold(HandleHold& hold, const PointerInput& input);
+  void followPointers();
   void moveCameraGesture();
   void releaseHandle(int pointer);
   void withdrawHandle(int pointer);

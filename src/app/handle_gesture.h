@@ -59,6 +59,7 @@ struct HandleGesture {
   Values before;                 ///< what cancelling restores, and the undo step
   Placer::Memory placedBefore;   ///< so that cancelling also puts every line back where it was
   std::vector<HandleHold> holds;   ///< in the order in which they were taken
+  bool moved = false;              ///< pointers are elsewhere than when the values were last brought under them
 
   [[nodiscard]] auto holdOf(int pointer) { return std::ranges::find(holds, pointer, &HandleHold::pointer); }
   [[nodiscard]] bool drags(std::size_t parameter) const {

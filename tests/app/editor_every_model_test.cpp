@@ -127,6 +127,7 @@ TEST_CASE("a finger that is taken away takes its own gesture along, and no other
   const auto finger = [](int id, const Vec2& screen) { return PointerInput{.id = id, .kind = PointerKind::kTouch, .screen = screen}; };
   stage.editor.pointerDown(finger(1, at));
   stage.editor.pointerMove(finger(1, at + Vec2(25, 0)));
+  stage.frame();
   REQUIRE(stage.value("Width") == 9);
   stage.editor.pointerDown(finger(2, stage.handle("Height")));
   stage.editor.pointerMove(finger(2, {500, 100}));
@@ -134,6 +135,7 @@ TEST_CASE("a finger that is taken away takes its own gesture along, and no other
   REQUIRE(stage.value("Width") == 9);
   REQUIRE(stage.value("Height") == 5);
   stage.editor.pointerMove(finger(1, at + Vec2(50, 0)));
+  stage.frame();
   REQUIRE(stage.value("Width") == 10);
   stage.editor.cancelPointer(1);
   REQUIRE(stage.value("Width") == 8);

@@ -129,6 +129,7 @@ TEST_CASE("a second finger on another handle of the same parameter, or on none, 
   CHECK(stage.editor.camera().eye == orthoFront().eye);
   stage.up(3, {600, 300});
   stage.move(1, grabbed + Vec2(25, 0));
+  stage.frame();
   CHECK(stage.value("Width") == 5);
 }
 
@@ -142,6 +143,7 @@ TEST_CASE("a finger that is taken away takes back what it did, and the others go
   CHECK(stage.value("Width") == 4);
   CHECK(stage.value("Lower") == 5);
   stage.move(2, lower + Vec2(0, -60));
+  stage.frame();
   CHECK(stage.value("Lower") == Approx(5.2));
   stage.editor.cancelPointer(2);
   stage.settle();
@@ -177,4 +179,44 @@ TEST_CASE("cancelling takes back what all fingers have done since the first one 
   CHECK(stage.move(2, lower) == PointerTarget::kNothing);
   CHECK_FALSE(stage.editor.canUndo());
   CHECK(sameLayout(before, stage.editor.layout()));
+}
+
+TEST_CASE("however often fingers move between two frames, the values are worked out once, for where they are then") {
+  ModelDefinition definition = storeys();
+  int builds = 0;
+  definition.build = [build = definition.build, &builds](const Values& v) {
+    ++builds;
+    return build(v);
+  };
+  FingerStage stage(std::move(definition));
+  const auto [width, lower] = stage.takeTwo();
+  stage.settle();
+  const auto buildsWith = [&](int moves, double travelPx) {
+    builds = 0;
+    for (int i = 1; i <= moves; ++i) {
+      const double share = static_cast<double>(i) / moves;
+      stage.move(1, width + Vec2(share * travelPx, 0));
+      stage.move(2, lower + Vec2(0, -share * travelPx));
+    }
+    CHECK_FALSE(stage.editor.atRest());
+    CHECK(builds == 0);
+    stage.frame();
+    return builds;
+  };
+  const int once = buildsWith(1, 25);
+  CHECK(stage.value("Width") == 5);
+  CHECK(stage.value("Lower") == 4.5);
+  CHECK(buildsWith(20, 50) <= once);
+  CHECK(stage.value("Width") == 6);
+  CHECK(stage.value("Lower") == 5);
+
+  // What no frame has seen counts when the fingers are lifted.
+  stage.move(1, width + Vec2(60, 0));
+  stage.move(2, lower + Vec2(0, -60));
+  stage.up(2, lower + Vec2(0, -75));
+  CHECK(stage.value("Lower") == 5.5);
+  CHECK(stage.value("Width") == Approx(6.4));
+  stage.up(1, width + Vec2(75, 0));
+  CHECK(stage.value("Width") == 7);
+  CHECK(stage.changes() == 1);
 }

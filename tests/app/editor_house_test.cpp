@@ -29,8 +29,8 @@ TEST_CASE("every line of the house can be dragged: there, to the limits, back, a
     }
     REQUIRE(values.back() == stage.editor.model().parameters()[stage.indexOf(name)].max);
     stage.move(at);
-    REQUIRE(stage.value(name) == before);
     stage.up(at);
+    REQUIRE(stage.value(name) == before);
     stage.settle();
 
     const Layout placed = stage.editor.layout();

@@ -52,8 +52,10 @@ TEST_CASE("what is being dragged can be asked for, and nothing else") {
   REQUIRE(glm::length(moved->handle - stage.handle("Width")) < 1e-9);
   REQUIRE(std::abs(moved->direction.x) == Approx(1));
   stage.move(at + Vec2(4000, 0));
+  stage.frame();
   REQUIRE(stage.gesture()->limit == Limit::kMax);
   stage.move(at - Vec2(4000, 0));
+  stage.frame();
   REQUIRE(stage.gesture()->limit == Limit::kMin);
   stage.up(at - Vec2(4000, 0));
   REQUIRE_FALSE(stage.gesture());
@@ -66,6 +68,7 @@ TEST_CASE("shift makes the steps of a drag finer, alt takes them away, and letti
   const Vec2 to = at - Vec2(0, 28.3);  // 50 px a metre
   const auto valueWith = [&](Modifiers modifiers) {
     stage.editor.pointerMove({.modifiers = modifiers, .screen = to});
+    stage.frame();
     return stage.value("Height");
   };
   REQUIRE(valueWith({}) == 5.6);
@@ -76,6 +79,7 @@ TEST_CASE("shift makes the steps of a drag finer, alt takes them away, and letti
   REQUIRE(valueWith({}) == 5.6);
   for (const Modifiers modifiers : {Modifiers{.shift = true}, Modifiers{.alt = true}, Modifiers{}}) {
     stage.editor.pointerMove({.modifiers = modifiers, .screen = at});
+    stage.frame();
     REQUIRE(stage.value("Height") == 5);
   }
 }

@@ -227,8 +227,10 @@ test("every line of the house can be dragged there and back, and cancelled", (t)
     }
     assert.ok(values.size > 1, `${name} changes`);
     stage.editor.pointerMove(1, "mouse", 0, x, y, 0);
+    stage.frame();
     assert.equal(stage.value(name), before, name);
     stage.editor.pointerMove(1, "mouse", 0, x + along[0] * 300, y + along[1] * 300, 0);
+    stage.frame();
     stage.editor.cancelGesture();
     assert.equal(stage.value(name), before, name);
     stage.settle();

@@ -72,11 +72,13 @@ test("a gesture says what it has led to, is fine with shift, and free with alt",
   // In the picture the handle is under the pointer, to within the value's step.
   assert.ok(Math.hypot(moved.handle[0] - to(20)[0], moved.handle[1] - to(20)[1]) < 3);
   core.pointerMove(1, "mouse", 0, ...to(21.3), 1);
+  settle();
   assert.equal(core.gestures()[0].snap, "fine");
   assert.ok(onStep(0.01));
   core.pointerMove(1, "mouse", 0, ...to(21.3), 4);
   assert.equal(core.gestures()[0].snap, "none");
   core.pointerMove(1, "mouse", 0, ...to(3000), 0);
+  settle();
   assert.equal(core.gestures()[0].limit, "max");
   core.cancelPointer(7); // another pointer's
   assert.deepEqual(core.gestures().map(({ id, parameter }) => [id, parameter]), [[1, "Width"]]);
