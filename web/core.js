@@ -215,6 +215,11 @@ export class Core {
     return this.#editor.handleAt(x, y, kind) || null;
   }
 
+  /** How much of the last frame a box over the picture would hide, in px² of written numbers: src/app/cover_cost.h is the manual. */
+  coverCost([x0, y0, x1, y1]) {
+    return this.#editor.coverCost(x0, y0, x1, y1);
+  }
+
   hover(id, kind, button, x, y, modifiers) {
     return this.#editor.hover(id, kind, button, x, y, modifiers);
   }

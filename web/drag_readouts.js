@@ -1,12 +1,15 @@
 /** While handles are dragged: the value that comes of each, and how it differs from the old one, in a box beside the handle or above the finger. */
 
 import { make } from "./dom.js";
-import { FloatingBox, setText } from "./floating_box.js";
+import { FloatingBox, kFartherCost, overlap, setText } from "./floating_box.js";
 
-// px. From the handle to the box's edge, clear of the arrow; and on a touch screen to its middle, clear of the finger.
+// px. From the handle to the box: beside a mouse's arrow, and clear of a finger and of the hand behind it.
 const kClearMousePx = 20;
-const kClearTouchPx = 74;
-const kLeastClearPx = 14; // where the picture's edge pushes it
+const kClearFingerPx = 56;
+// The least of that where the picture's edge pushes it.
+const kLeastClearMousePx = 14;
+const kLeastClearFingerPx = 40;
+const kFartherPx = [0, 32, 72]; // than that, where all near places are taken
 
 const kNudgeMs = 12; // a phone's buzz where a limit is reached
 
@@ -20,8 +23,8 @@ class DragReadout {
   #difference = make("span", { class: "difference" });
   #limit = make("span", { class: "limit" });
   #hint = make("small");
-  #sides = null; // unit vectors from the handle to where the box may stand; null between drags
-  #side = 0;
+  #sides = null; // where it may stand: unit vectors from the handle, and how far beyond the nearest place; null between drags
+  #side = null;
   #limitShown = null;
 
   constructor(stage) {
@@ -29,10 +32,14 @@ class DragReadout {
     this.#box = new FloatingBox(stage, this.#node);
   }
 
-  show({ title, text, difference, handle, direction, pointer, limit }, hint, others) {
+  /** Where the box is, with a little room around it. */
+  get covered() {
+    return this.#box.covered;
+  }
+
+  show({ title, text, difference, handle, direction, pointer, limit }, hint, cost) {
     const touch = pointer === "touch";
-    const begins = this.#sides === null;
-    this.#sides ??= this.#freeSides(handle, direction);
+    this.#sides ??= touch ? sidesOfFinger() : this.#sidesOfArrow(handle, direction);
     setText(this.#title, title);
     setText(this.#value, text);
     setText(this.#difference, difference);
@@ -44,44 +51,45 @@ class DragReadout {
       this.#node.toggleAttribute("data-limit", Boolean(limit));
       if (limit && touch) navigator.vibrate?.(kNudgeMs);
     }
-    if (touch) this.#box.placeMiddle(handle[0], handle[1] - kClearTouchPx, handle[1] + kClearTouchPx);
-    else this.#placeOff(handle, begins ? others : null);
+    this.#place(handle, touch ? [kClearFingerPx, kLeastClearFingerPx] : [kClearMousePx, kLeastClearMousePx], cost);
   }
 
   hide() {
     this.#sides = this.#limitShown = null;
-    this.#side = 0;
+    this.#side = null;
     this.#node.removeAttribute("data-limit");
     this.#box.shown = false;
   }
 
   // Best across the line, on the side that looks away from the picture's middle, where the model is; else beyond the handle.
-  #freeSides([x, y], [dx, dy]) {
+  #sidesOfArrow([x, y], [dx, dy]) {
     const [width, height] = this.#box.room;
     const outwards = ([vx, vy]) => (vx * (x - width / 2) + vy * (y - height / 2) < 0 ? [-vx, -vy] : [vx, vy]);
-    const across = outwards([-dy, dx]);
-    return [across, outwards([dx, dy]), [-across[0], -across[1]]];
+    const [ax, ay] = outwards([-dy, dx]);
+    const [bx, by] = outwards([dx, dy]);
+    const between = (sense, beyond) => [(sense * ax + beyond * bx) * Math.SQRT1_2, (sense * ay + beyond * by) * Math.SQRT1_2];
+    const near = [[ax, ay], [bx, by], [-ax, -ay], between(1, 1), between(-1, 1), between(1, -1), between(-1, -1)];
+    return kFartherPx.flatMap((farther) => near.map(([sx, sy]) => [sx, sy, farther]));
   }
 
-  // At the beginning of the drag it takes the side where it hides least. There it stays until the picture's edge would push it onto the handle.
-  #placeOff([x, y], others) {
+  // It keeps the side that it has taken for as long as another one would hide hardly less.
+  #place([x, y], [clearPx, leastPx], cost) {
     const [width, height] = this.#box.size;
-    const boxAt = ([sx, sy]) => {
-      const clear = kClearMousePx + Math.abs(sx) * (width / 2) + Math.abs(sy) * (height / 2);
-      return this.#box.within(x + sx * clear - width / 2, y + sy * clear - height / 2);
-    };
-    const isClear = (side) => {
-      const [left, top] = boxAt(side);
-      const away = Math.hypot(Math.max(left - x, x - left - width, 0), Math.max(top - y, y - top - height, 0));
-      return away >= kLeastClearPx;
-    };
-    if (others) {
-      const hidden = this.#sides.map((side) => (isClear(side) ? this.#box.hides(boxAt(side), others) : Infinity));
-      this.#side = hidden.indexOf(Math.min(...hidden));
-    }
-    if (!isClear(this.#sides[this.#side])) this.#side = Math.max(0, this.#sides.findIndex(isClear));
-    this.#box.place(...boxAt(this.#sides[this.#side]));
+    const places = this.#sides.map(([sx, sy, farther]) => {
+      const clear = clearPx + farther + Math.abs(sx) * (width / 2) + Math.abs(sy) * (height / 2);
+      return [x + sx * clear - width / 2, y + sy * clear - height / 2];
+    });
+    const away = ([x0, y0, x1, y1]) => Math.hypot(Math.max(x0 - x, x - x1, 0), Math.max(y0 - y, y - y1, 0));
+    const costs = (covered, i) => (away(covered) < leastPx ? Infinity : cost(covered) + kFartherCost * this.#sides[i][2]);
+    this.#side = this.#box.placeClear(places, costs, this.#side);
   }
+}
+
+// Above a finger, else beside it; below it is the hand.
+function sidesOfFinger() {
+  const above = [[0, -1], [-0.8, -0.6], [0.8, -0.6]];
+  const beside = [[-1, 0], [1, 0], [0, 1]];
+  return [...kFartherPx.flatMap((farther) => above.map(([sx, sy]) => [sx, sy, farther])), ...beside.map(([sx, sy]) => [sx, sy, 0])];
 }
 
 export class DragReadouts {
@@ -98,9 +106,9 @@ export class DragReadouts {
 
   /**
    * @param {object[]} gestures as Core.gestures() gives them, with `title` and `canBeFine`: whether keys change its steps
-   * @param {[number, number, number, number][]} others what should not be hidden: numbers of other lines, switches and choices
+   * @param {(box: [number, number, number, number]) => number} cost how much a box over the picture would hide (px²)
    */
-  update(gestures, others) {
+  update(gestures, cost) {
     for (const [id, readout] of this.#shown) {
       if (gestures.some((gesture) => gesture.id === id && gesture.parameter === readout.parameter)) continue;
       readout.hide();
@@ -108,6 +116,7 @@ export class DragReadouts {
       this.#spare.push(readout);
       if (id === this.#hinted) [this.#hintDue, this.#hinted] = [false, null];
     }
+    const taken = []; // by the boxes of other pointers
     for (const gesture of gestures) {
       if (!this.#shown.has(gesture.id)) {
         const readout = this.#spare.pop() ?? new DragReadout(this.#stage);
@@ -116,7 +125,9 @@ export class DragReadouts {
         if (this.#hintDue && gesture.pointer !== "touch" && gesture.canBeFine) this.#hinted = gesture.id;
       }
       const hint = gesture.id === this.#hinted ? "Shift: finer · Alt: any value" : "";
-      this.#shown.get(gesture.id).show(gesture, hint, others);
+      const readout = this.#shown.get(gesture.id);
+      readout.show(gesture, hint, (box) => taken.reduce((sum, other) => sum + overlap(box, other), cost(box)));
+      taken.push(readout.covered);
     }
   }
 }

@@ -2,11 +2,17 @@
 
 const kMarginPx = 6; // from the picture's edge
 const kRoomPx = 3; // to what should be seen
-const kHardlyPx2 = 30; // a corner of a number, which can be read all the same
+const kHardlyPx2 = 12; // as much as a line that crosses a part of the box: no reason to move
+
+const kGlideMs = 120;
+
+/** What a px farther from what it belongs to is worth, in px² of hidden numbers. */
+export const kFartherCost = 0.1;
 
 export class FloatingBox {
   #stage;
   #node;
+  #at = [0, 0]; // where its corner was put
   #transform = "";
 
   /**
@@ -40,44 +46,52 @@ export class FloatingBox {
   }
 
   place(x, y) {
+    this.#at = [x, y];
     const [left, top] = this.within(x, y);
     const transform = `translate(${Math.round(left)}px, ${Math.round(top)}px)`;
     if (transform !== this.#transform) this.#node.style.transform = this.#transform = transform;
   }
 
-  /** Its middle there, or at the other height where the first would leave the picture. */
-  placeMiddle(x, y, otherY) {
-    const [width, height] = this.size;
-    const fits = (middle) => middle - height / 2 >= kMarginPx && middle + height / 2 <= this.room[1] - kMarginPx;
-    this.place(x - width / 2, (fits(y) || !fits(otherY) ? y : otherY) - height / 2);
-  }
-
   /**
-   * The first of several places for its corner at which it hides least of what is there.
+   * Goes to the first of several places for its corner at which it hides least of what is there.
    * @param {[number, number][]} places
-   * @param {[number, number, number, number][]} boxes what should be seen
-   * @param {number} usual index of the place that it keeps while another one is hardly better
-   * @param {[number, number, number, number]} [never] what it covers only where all places do, as the picture's edge pushes it there
+   * @param {(box: [number, number, number, number], i: number) => number} cost how much (px²) a box there hides, and the index of its place; Infinity where it
+   *   must not be, unless all are so
+   * @param {number | null} side index of the place that it has, which it keeps while another one is hardly better; null when it has none yet
    * @returns {number} index of the place that was taken
    */
-  placeClear(places, boxes, usual, never) {
-    const hidden = places.map((place) => (never && this.hides(place, [never]) > 0 ? Infinity : this.hides(place, boxes)));
+  placeClear(places, cost, side) {
+    const usual = side ?? 0;
+    const hidden = places.map(([x, y], i) => cost(this.#covered(x, y), i));
     const best = hidden.indexOf(Math.min(...hidden));
     const taken = hidden[usual] <= hidden[best] + kHardlyPx2 ? usual : best;
+    const [fromX, fromY] = this.within(...this.#at);
     this.place(...places[taken]);
+    if (side !== null && taken !== side) this.#glideFrom(fromX, fromY);
     return taken;
   }
 
-  /** How much (px²) of these boxes it hides with its corner there. */
-  hides([x, y], boxes) {
+  // On its way to another side it can be followed by the eye.
+  #glideFrom(fromX, fromY) {
+    if (matchMedia("(prefers-reduced-motion: reduce)").matches) return;
+    const [x, y] = this.within(...this.#at);
+    this.#node.animate([{ translate: `${fromX - x}px ${fromY - y}px` }, { translate: "0px 0px" }], { duration: kGlideMs, easing: "ease-out" });
+  }
+
+  /** What it covers where it is, and a little room around that: [x0, y0, x1, y1]. */
+  get covered() {
+    return this.#covered(...this.#at);
+  }
+
+  #covered(x, y) {
     const [width, height] = this.size;
     const [left, top] = this.within(x, y);
-    const own = [left - kRoomPx, top - kRoomPx, left + width + kRoomPx, top + height + kRoomPx];
-    return boxes.reduce((sum, box) => sum + overlap(own, box), 0);
+    return [left - kRoomPx, top - kRoomPx, left + width + kRoomPx, top + height + kRoomPx];
   }
 }
 
-function overlap([ax0, ay0, ax1, ay1], [bx0, by0, bx1, by1]) {
+/** How much of one box another one covers (px²). */
+export function overlap([ax0, ay0, ax1, ay1], [bx0, by0, bx1, by1]) {
   return Math.max(0, Math.min(ax1, bx1) - Math.max(ax0, bx0)) * Math.max(0, Math.min(ay1, by1) - Math.max(ay0, by0));
 }
 

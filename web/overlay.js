@@ -111,9 +111,9 @@ export class Overlay {
     const name = focused ? this.#titleOf(focused.name) : this.#hoveredName(labels);
     if (this.#saidOf !== null) this.#readout.moveSentence(this.#labels.boxOf(this.#saidOf));
     if (dragged) this.#readout.silence();
-    const boxes = [...labels, ...pills].filter(({ box, dragged: inHand }) => box && !inHand).map(({ box }) => box);
-    this.#dragReadouts.update(gestures.map((gesture) => this.#named(gesture)), boxes);
-    this.#readout.update(dragged || this.#field.complains ? "" : name, input.last, focused?.box, boxes);
+    const cost = (box) => core.coverCost(box);
+    this.#dragReadouts.update(gestures.map((gesture) => this.#named(gesture)), cost);
+    this.#readout.update(dragged || this.#field.complains ? "" : name, input.last, focused?.box, cost);
     // Where the Tab key goes is a matter of the picture at rest: nothing changes places under a finger.
     if (!rests || input.active) return;
     arrange(this.#handles, readingOrder([...this.#labels.stops(), ...this.#pills.stops()]));

@@ -1,18 +1,19 @@
 /** What the picture says of the pointer's business while nothing is dragged: the name of what it rests on, and after some acts a sentence for a moment. */
 
 import { make } from "./dom.js";
-import { FloatingBox, setText } from "./floating_box.js";
+import { FloatingBox, kFartherCost, overlap, setText } from "./floating_box.js";
 
 const kSentenceMs = 4000;
 const kAwayPx = 12; // from the edge of what it belongs to
 const kAboveFingerPx = 40;
+const kFartherPx = [0, 24, 56]; // from a mouse's arrow, where all near places are taken
 
 export class Readout {
   #title = make("span", { class: "title" });
   #box;
   #sentence = null; // {text, at, untilMs}
   #text = ""; // what it says
-  #side = 0; // where, of the places that there are
+  #side = null; // where, of the places that there are
 
   /** @param {HTMLElement} stage the picture's box */
   constructor(stage) {
@@ -25,20 +26,25 @@ export class Readout {
    * @param {string} name of what the pointer rests on, or ""
    * @param {{x: number, y: number, touch: boolean}} pointer
    * @param {[number, number, number, number]} [box] what it belongs to instead, when that is not the pointer
-   * @param {[number, number, number, number][]} [others] what should not be hidden: numbers, switches and choices
+   * @param {(box: [number, number, number, number]) => number} cost how much a box over the picture would hide (px²)
    */
-  update(name, pointer, box, others = []) {
+  update(name, pointer, box, cost) {
     if (this.#sentence && performance.now() > this.#sentence.untilMs) this.#sentence = null;
     const text = (box && this.#sentence?.text) || name || this.#sentence?.text || "";
     this.#box.shown = Boolean(text);
-    if (!text) return; // what fades away keeps its text
-    if (text !== this.#text) this.#side = 0;
+    if (text !== this.#text) this.#side = null;
     this.#text = text;
+    if (!text) return; // what fades away keeps its text in the picture
     setText(this.#title, text);
     const besidePointer = text === name && !box;
-    const places = besidePointer ? this.#besidePointer(pointer) : this.#around(text === name ? box : this.#sentence.at);
     const { x, y } = pointer;
-    this.#side = this.#box.placeClear(places, others, this.#side, besidePointer ? [x - 1, y - 1, x + 1, y + 1] : undefined);
+    const whose = besidePointer ? [x - 1, y - 1, x + 1, y + 1] : text === name ? box : this.#sentence.at;
+    const places = besidePointer ? this.#besidePointer(pointer) : this.#around(whose);
+    // Where the picture's edge would push it onto what it belongs to, it does not stand.
+    const [x0, y0, x1, y1] = whose;
+    const pushed = (covered) => overlap(covered, [x0 - 1, y0 - 1, x1 + 1, y1 + 1]) > 0;
+    const costs = (covered, i) => (pushed(covered) ? Infinity : cost(covered) + kFartherCost * places[i][2]);
+    this.#side = this.#box.placeClear(places, costs, this.#side);
   }
 
   /** Says a sentence beside a place in the picture. Gives the time (ms) after which update() takes it away. */
@@ -57,14 +63,16 @@ export class Readout {
     if (this.#sentence && box) this.#sentence.at = box;
   }
 
-  // Beside a mouse's arrow, but above a finger.
+  // Places for its corner, and how much farther than the nearest they are (px): beside a mouse's arrow, but above a finger.
   #besidePointer({ x, y, touch }) {
     const [width, height] = this.#box.size;
-    if (touch) return [[x - width / 2, y - height - kAboveFingerPx]];
-    const [right, below, left, above, level] = [x + 14, y + 20, x - width - 10, y - height - 12, y - height / 2];
-    const near = [[right, below], [right, above], [left, below], [left, above]];
-    const farther = [[right + 12, level], [left - 12, level], [right, below + height], [left, below + height], [right, above - height], [left, above - height]];
-    return [...near, ...farther];
+    if (touch) return [[x - width / 2, y - height - kAboveFingerPx, 0]];
+    return kFartherPx.flatMap((farther) => {
+      const [left, right, middle] = [x - width - 10 - farther, x + 14 + farther, x - width / 2];
+      const [above, below, level] = [y - height - 12 - farther, y + 20 + farther, y - height / 2];
+      const aside = [[right, below], [right, above], [left, below], [left, above], [right + 12, level], [left - 12, level]];
+      return [...aside, [middle, above], [middle, below]].map(([px, py]) => [px, py, farther]);
+    });
   }
 
   #around([x0, y0, x1, y1]) {
@@ -72,9 +80,10 @@ export class Readout {
     const [x, y] = [(x0 + x1 - width) / 2, (y0 + y1 - height) / 2];
     const up = (y1 - y0 + height) / 2 + kAwayPx;
     const aside = (x1 - x0 + width) / 2 + kAwayPx;
-    const places = [[x, y - up], [x, y + up], [x + aside, y], [x - aside, y], [x + aside, y - up], [x - aside, y - up], [x + aside, y + up], [x - aside, y + up]];
-    // Where the picture's edge would push it onto what it belongs to, it does not stand.
-    const free = places.filter(([left, top]) => this.#box.within(left, top).every((at, i) => at === [left, top][i]));
-    return free.length > 0 ? free : places;
+    return kFartherPx.flatMap((farther) => {
+      const [above, below, left, right] = [y - up - farther, y + up + farther, x - aside - farther, x + aside + farther];
+      const places = [[x, above], [x, below], [right, y], [left, y], [right, above], [left, above], [right, below], [left, below]];
+      return places.map(([px, py]) => [px, py, farther]);
+    });
   }
 }

@@ -136,6 +136,8 @@ class Editor {
   [[nodiscard]] std::vector<Gesture> gestures() const;
   /// The parameter whose handle or label is at a place on screen: the nearest handle within the pointer's reach, or else the label there.
   [[nodiscard]] std::optional<std::size_t> parameterAt(const Vec2& screen, PointerKind kind) const;
+  /// How much of the last frame a box over the picture would hide (px): see app/cover_cost.h.
+  [[nodiscard]] double coverCost(const Box2& box) const;
   /// Where a pointer that is not down hovers; nothing when it left.
   PointerTarget hover(const PointerInput& input);
   void endHover();

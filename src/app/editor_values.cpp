@@ -1,5 +1,6 @@
 #include <cassert>
 
+#include "app/cover_cost.h"
 #include "app/editor_state.h"
 #include "editing/arc_projection.h"
 #include "editing/value_text.h"
@@ -119,6 +120,8 @@ std::optional<std::size_t> Editor::parameterAt(const Vec2& screen, PointerKind k
   }
   return std::nullopt;
 }
+
+double Editor::coverCost(const Box2& box) const { return dimline::coverCost(box, state_->drawn, state_->fieldSource.fields()); }
 
 void Editor::setHiddenShown(bool shown) {
   State& s = *state_;

@@ -210,6 +210,7 @@ public:
     const auto at = editor_.parameterAt({x, y}, static_cast<PointerKind>(indexOf(kind, kPointerKinds).value_or(0)));
     return at ? editor_.model().parameters()[*at].name : std::string();
   }
+  [[nodiscard]] double coverCost(double x0, double y0, double x1, double y1) const { return editor_.coverCost({{x0, y0}, {x1, y1}}); }
   void wheel(double x, double y, double deltaPx, int modifierBits) {
     editor_.wheel({x, y}, deltaPx, modifiersFrom(modifierBits));
   }
@@ -352,6 +353,7 @@ EMSCRIPTEN_BINDINGS(dimline) {
       .function("pointerUp", &EditorBinding::pointerUp)
       .function("gesturesJson", &EditorBinding::gesturesJson)
       .function("handleAt", &EditorBinding::handleAt)
+      .function("coverCost", &EditorBinding::coverCost)
       .function("hover", &EditorBinding::hover)
       .function("endHover", &EditorBinding::endHover)
       .function("cancelGesture", &EditorBinding::cancelGesture)
