@@ -105,7 +105,6 @@ for (const [width, height, touch] of [
     const { page, close } = await openPage(browser, { width, height, touch, drawn: false });
     await openMenu(page);
     await page.waitForTimeout(300);
-    await screenshot(page, `model-menu-${width}`);
     const box = await dialog(page).boundingBox();
     assert.ok(box.x >= 0 && box.y >= 0 && box.x + box.width <= width + 0.5 && box.y + box.height <= height + 0.5);
     const cards = dialog(page).getByRole("link");
