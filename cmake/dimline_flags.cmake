@@ -48,7 +48,8 @@ if(DIMLINE_SANITIZE)
 endif()
 
 if(EMSCRIPTEN)
-  add_compile_options(-msimd128 -flto -fno-rtti)
+  # Who has SIMD has the conversions that do not trap, too: without them each one is a comparison and a branch.
+  add_compile_options(-msimd128 -mnontrapping-fptoint -flto -fno-rtti)
   add_link_options(-flto -fno-rtti)
   # -fno-rtti at the link too: it chooses the embind library whose type ids are those of code without RTTI.
   # The price: embind's messages cannot name a type that was never registered.
