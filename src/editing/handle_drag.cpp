@@ -280,10 +280,9 @@ HandleDrag::Nearby HandleDrag::lookNearby(double value, const PlacedLine& now, c
       if (outside && i == 0) continue;   // off the steps, beside a limit
       const auto place = outside ? std::nullopt : placeOf(snapValue(parameter, at));
       open[up] = place && (!*place || tickStrength(glm::length(**place - handle)) > 0);
-      if (open[up] && *place) nearby.ticks.push_back({n, **place});
+      if (open[up] && *place) nearby.ticks.insert(up != 0 ? nearby.ticks.end() : nearby.ticks.begin(), Nearby::Place{n, **place});
     }
   }
-  std::ranges::sort(nearby.ticks, {}, &Nearby::Place::number);
   for (std::size_t i = 1; i < nearby.ticks.size() && !straight; ++i) {
     if (glm::length(nearby.ticks[i].at - nearby.ticks[i - 1].at) < kMovedPx) nearby.shared = true;
   }

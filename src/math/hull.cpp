@@ -4,6 +4,8 @@
 
 #include <glm/geometric.hpp>
 
+#include "core/sort_keys.h"
+
 namespace dimline {
 
 namespace {
@@ -15,12 +17,30 @@ double leftOf(const Vec2& a, const Vec2& b, const Vec2& p) {
   return length > 0 ? (d.x * (p.y - a.y) - d.y * (p.x - a.x)) / length : 0.0;
 }
 
+/// By x and then y, each once; of points that stand above one another the lowest and the highest, because no others can be corners.
+std::vector<Vec2> sortedByX(std::span<const Vec2> points) {
+  std::vector<SortKey> keys;
+  keys.reserve(points.size());
+  for (const Vec2& p : points) keys.push_back({p.x, static_cast<std::uint32_t>(keys.size())});
+  sortKeys(keys);
+  std::vector<Vec2> sorted;
+  for (auto key = keys.begin(); key != keys.end();) {
+    const double x = key->value;
+    double low = points[key->index].y, high = low;
+    for (; key != keys.end() && key->value == x; ++key) {
+      low = std::min(low, points[key->index].y);
+      high = std::max(high, points[key->index].y);
+    }
+    sorted.emplace_back(x, low);
+    if (high > low) sorted.emplace_back(x, high);
+  }
+  return sorted;
+}
+
 }  // namespace
 
 std::vector<Vec2> convexHull(std::span<const Vec2> points, double tolerance) {
-  std::vector<Vec2> sorted(points.begin(), points.end());
-  std::ranges::sort(sorted, [](const Vec2& a, const Vec2& b) { return a.x != b.x ? a.x < b.x : a.y < b.y; });
-  sorted.erase(std::unique(sorted.begin(), sorted.end()), sorted.end());
+  const std::vector<Vec2> sorted = sortedByX(points);
   if (sorted.size() < 2) return sorted;
 
   // Andrew's monotone chain: the lower side from left to right, then the upper side back.

@@ -9,6 +9,8 @@
 
 #include <glm/geometric.hpp>
 
+#include "core/sort_keys.h"
+
 // Triangulation: holes are joined to the outer ring by bridges (the shortest segment to a vertex that sees the hole),
 // then ears are cut, the best-shaped one first. Polygons here have tens of points, seldom hundreds, so the square of
 // that is fine.
@@ -64,16 +66,15 @@ private:
     auto rightmost = [&](const std::vector<std::uint32_t>& hole) {
       return *std::max_element(hole.begin(), hole.end(), [&](auto a, auto b) { return points_[a].x < points_[b].x; });
     };
-    std::vector<std::pair<std::uint32_t, std::size_t>> order;
-    for (std::size_t i = 0; i < holes_.size(); ++i) {
-      if (holes_[i].size() >= 3) order.emplace_back(rightmost(holes_[i]), i);
+    std::vector<SortKey> order;
+    for (std::uint32_t i = 0; i < holes_.size(); ++i) {
+      if (holes_[i].size() >= 3) order.push_back({-points_[rightmost(holes_[i])].x, i});
     }
-    std::stable_sort(order.begin(), order.end(),
-                     [&](const auto& a, const auto& b) { return points_[a.first].x > points_[b.first].x; });
+    sortKeys(order);
     for (std::size_t k = 0; k < order.size(); ++k) {
-      const auto [start, hole] = order[k];
+      std::vector<std::uint32_t>& indices = holes_[order[k].index];
+      const std::uint32_t start = rightmost(indices);
       const std::size_t at = bridgeTo(start, std::span(order).subspan(k));
-      std::vector<std::uint32_t>& indices = holes_[hole];
       std::rotate(indices.begin(), std::find(indices.begin(), indices.end(), start), indices.end());
       // ring … P | hole from start … start P | rest of the ring
       std::vector<std::uint32_t> loop(indices);
@@ -84,22 +85,20 @@ private:
   }
 
   /// Position in ring_ of the nearest vertex that sees `from`; the holes still to be joined stand in the way too.
-  std::size_t bridgeTo(std::uint32_t from, std::span<const std::pair<std::uint32_t, std::size_t>> remaining) const {
+  std::size_t bridgeTo(std::uint32_t from, std::span<const SortKey> remaining) const {
     const Vec2 m = points_[from];
-    std::vector<std::size_t> candidates(ring_.size());
-    std::iota(candidates.begin(), candidates.end(), std::size_t{0});
-    std::stable_sort(candidates.begin(), candidates.end(), [&](std::size_t a, std::size_t b) {
-      return lengthSquared(points_[ring_[a]] - m) < lengthSquared(points_[ring_[b]] - m);
-    });
-    for (const std::size_t i : candidates) {
+    std::vector<SortKey> candidates(ring_.size());
+    for (std::uint32_t i = 0; i < ring_.size(); ++i) candidates[i] = {lengthSquared(points_[ring_[i]] - m), i};
+    sortKeys(candidates);
+    for (const auto& [distanceSquared, i] : candidates) {
       const Vec2 v = points_[ring_[i]];
       if (!opensTowards(i, m) || blocked(ring_, m, v)) continue;
       const bool clear = std::none_of(remaining.begin(), remaining.end(),
-                                      [&](const auto& h) { return blocked(holes_[h.second], m, v); });
+                                      [&](const SortKey& h) { return blocked(holes_[h.index], m, v); });
       if (clear) return i;
     }
     assert(false && "a hole lies outside its polygon");
-    return candidates.front();
+    return candidates.front().index;
   }
 
   /// Whether a step from ring vertex i towards p goes into the region. A vertex that is in the ring twice is so by

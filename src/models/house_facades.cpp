@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/sort_keys.h"
 #include "models/house_parts.h"
 
 // Walls and what fills their openings. A facade's scope is a face of the storeys' box (x right, y up, z outwards), so
@@ -97,16 +98,18 @@ void drawWall(const House& house, const Facade& facade) {
   const double from = side ? kWallThickness : 0, to = facade.length - from;
   Polygon wall{{{from, 0}}, {}};
   // A door that stands on the wall's lower edge is a notch in the outline, everything else a hole.
-  std::vector<Opening> notches;
-  for (const Opening& o : facade.openings) {
+  std::vector<SortKey> notches;
+  for (std::uint32_t i = 0; i < facade.openings.size(); ++i) {
+    const Opening& o = facade.openings[i];
     if (o.y <= 0) {
-      notches.push_back(o);
+      notches.push_back({o.x, i});
     } else {
       wall.holes.push_back(rectangleRing({o.x, o.y}, {o.x + o.width, o.y + o.height}));
     }
   }
-  std::sort(notches.begin(), notches.end(), [](const Opening& p, const Opening& q) { return p.x < q.x; });
-  for (const Opening& o : notches) {
+  sortKeys(notches);
+  for (const SortKey& notch : notches) {
+    const Opening& o = facade.openings[notch.index];
     for (const Vec2 corner :
          {Vec2(o.x, 0), Vec2(o.x, o.height), Vec2(o.x + o.width, o.height), Vec2(o.x + o.width, 0)}) {
       wall.outer.push_back(corner);

@@ -4,60 +4,69 @@ namespace dimline {
 
 namespace {
 
-Parameter parameter(ParameterType type, Unit unit, std::string name, std::string title, const ParameterRange& range,
-                    ParameterWords words) {
+Parameter parameter(ParameterType type, Unit unit, std::string_view name, std::string_view title, const ParameterRange& range,
+                    const ParameterWords& words) {
   Parameter p;
-  p.name = std::move(name);
-  p.title = std::move(title);
+  p.name = name;
+  p.title = title;
   p.type = type;
   p.unit = unit;
   p.defaultValue = range.value;
   p.min = range.min;
   p.max = range.max;
   p.step = range.step;
-  p.group = std::move(words.group);
-  p.help = std::move(words.help);
-  p.annotation = std::move(words.annotation);
+  p.group = words.group;
+  p.help = words.help;
+  p.annotation = words.annotation;
   return p;
+}
+
+Measure measure(Unit unit, std::string_view name, std::string_view title, std::string_view help) {
+  Measure m;
+  m.shown.name = name;
+  m.shown.title = title;
+  m.shown.help = help;
+  m.shown.unit = unit;
+  return m;
 }
 
 }  // namespace
 
-Parameter lengthParameter(std::string name, std::string title, const ParameterRange& range, ParameterWords words) {
-  return parameter(ParameterType::kFloat, Unit::kMetre, std::move(name), std::move(title), range, std::move(words));
+Parameter lengthParameter(std::string_view name, std::string_view title, const ParameterRange& range, const ParameterWords& words) {
+  return parameter(ParameterType::kFloat, Unit::kMetre, name, title, range, words);
 }
 
-Parameter angleParameter(std::string name, std::string title, const ParameterRange& range, ParameterWords words) {
-  return parameter(ParameterType::kAngle, Unit::kDegree, std::move(name), std::move(title), range, std::move(words));
+Parameter angleParameter(std::string_view name, std::string_view title, const ParameterRange& range, const ParameterWords& words) {
+  return parameter(ParameterType::kAngle, Unit::kDegree, name, title, range, words);
 }
 
-Parameter countParameter(std::string name, std::string title, const ParameterRange& range, std::string noun, ParameterWords words) {
-  Parameter p = parameter(ParameterType::kInt, Unit::kNone, std::move(name), std::move(title), range, std::move(words));
-  p.noun = std::move(noun);
+Parameter countParameter(std::string_view name, std::string_view title, const ParameterRange& range, std::string_view noun, const ParameterWords& words) {
+  Parameter p = parameter(ParameterType::kInt, Unit::kNone, name, title, range, words);
+  p.noun = noun;
   return p;
 }
 
-Measure lengthMeasure(std::string name, std::string title, std::string help, std::string annotation) {
-  Measure measure;
-  measure.shown = {.name = std::move(name), .title = std::move(title), .help = std::move(help), .unit = Unit::kMetre, .annotation = std::move(annotation)};
-  return measure;
+Measure lengthMeasure(std::string_view name, std::string_view title, std::string_view help, std::string_view annotation) {
+  Measure m = measure(Unit::kMetre, name, title, help);
+  m.shown.annotation = annotation;
+  return m;
 }
 
-Measure areaMeasure(std::string name, std::string title, std::string help, std::function<double(const Values&, const Scene&)> value) {
-  Measure measure;
-  measure.shown = {.name = std::move(name), .title = std::move(title), .help = std::move(help), .unit = Unit::kSquareMetre};
-  measure.value = std::move(value);
-  return measure;
+Measure areaMeasure(std::string_view name, std::string_view title, std::string_view help, std::function<double(const Values&, const Scene&)> value) {
+  Measure m = measure(Unit::kSquareMetre, name, title, help);
+  m.value = std::move(value);
+  return m;
 }
 
-Parameter switchParameter(std::string name, std::string title, bool value, ParameterWords words) {
-  return parameter(ParameterType::kBool, Unit::kNone, std::move(name), std::move(title), {value ? 1.0 : 0.0, 0, 1, 1}, std::move(words));
+Parameter switchParameter(std::string_view name, std::string_view title, bool value, const ParameterWords& words) {
+  return parameter(ParameterType::kBool, Unit::kNone, name, title, {value ? 1.0 : 0.0, 0, 1, 1}, words);
 }
 
-Parameter choiceParameter(std::string name, std::string title, int value, std::vector<std::string> choices, ParameterWords words) {
+Parameter choiceParameter(std::string_view name, std::string_view title, int value, std::initializer_list<std::string_view> choices,
+                          const ParameterWords& words) {
   const ParameterRange range{static_cast<double>(value), 0, static_cast<double>(choices.size()) - 1, 1};
-  Parameter p = parameter(ParameterType::kChoice, Unit::kNone, std::move(name), std::move(title), range, std::move(words));
-  p.choices = std::move(choices);
+  Parameter p = parameter(ParameterType::kChoice, Unit::kNone, name, title, range, words);
+  p.choices.assign(choices.begin(), choices.end());
   return p;
 }
 

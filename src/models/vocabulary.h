@@ -1,6 +1,8 @@
 #pragma once
 
-#include <string>
+#include <functional>
+#include <initializer_list>
+#include <string_view>
 
 #include "model/builder.h"
 #include "model/model.h"
@@ -16,20 +18,21 @@ struct ParameterRange {
 
 /// What people read about a parameter, and how its handle behaves.
 struct ParameterWords {
-  std::string group, help, annotation;
+  std::string_view group, help, annotation;
 };
 
-Parameter lengthParameter(std::string name, std::string title, const ParameterRange& range, ParameterWords words);
+Parameter lengthParameter(std::string_view name, std::string_view title, const ParameterRange& range, const ParameterWords& words);
 /// Degrees.
-Parameter angleParameter(std::string name, std::string title, const ParameterRange& range, ParameterWords words);
+Parameter angleParameter(std::string_view name, std::string_view title, const ParameterRange& range, const ParameterWords& words);
 /// `noun`: what is counted, in the singular.
-Parameter countParameter(std::string name, std::string title, const ParameterRange& range, std::string noun, ParameterWords words);
-Parameter switchParameter(std::string name, std::string title, bool value, ParameterWords words);
-Parameter choiceParameter(std::string name, std::string title, int value, std::vector<std::string> choices, ParameterWords words);
+Parameter countParameter(std::string_view name, std::string_view title, const ParameterRange& range, std::string_view noun, const ParameterWords& words);
+Parameter switchParameter(std::string_view name, std::string_view title, bool value, const ParameterWords& words);
+Parameter choiceParameter(std::string_view name, std::string_view title, int value, std::initializer_list<std::string_view> choices,
+                          const ParameterWords& words);
 
 /// Lengths that follow from the parameters, and areas, which have no line of their own.
-Measure lengthMeasure(std::string name, std::string title, std::string help, std::string annotation);
-Measure areaMeasure(std::string name, std::string title, std::string help, std::function<double(const Values&, const Scene&)> value);
+Measure lengthMeasure(std::string_view name, std::string_view title, std::string_view help, std::string_view annotation);
+Measure areaMeasure(std::string_view name, std::string_view title, std::string_view help, std::function<double(const Values&, const Scene&)> value);
 
 /// A material in the colour 0xRRGGBB.
 MaterialId paint(Builder& b, std::uint32_t srgb, float roughness, Material::Pattern pattern = Material::Pattern::kPlain);

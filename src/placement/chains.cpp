@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 #include "core/constants.h"
+#include "core/sort_keys.h"
 
 namespace dimline {
 
@@ -43,13 +43,14 @@ void measure(Cluster& cluster) {
     const Vec3 foot = origin + cluster.plane.across * (side == 0 ? lowM : highM);
     cluster.sides[side] = {foot + cluster.along * fromM, foot + cluster.along * toM};
     auto& order = cluster.nearestFirst[side];
-    order.resize(cluster.members.size());
-    std::iota(order.begin(), order.end(), 0U);
     // Equally near members keep the order of their making: from the model's description, the same in every build of it.
-    std::ranges::stable_sort(order, {}, [&](std::uint32_t i) {
-      const double across = acrossOf(cluster.members[i]);
-      return side == 0 ? across - lowM : highM - across;
-    });
+    std::vector<SortKey> keys;
+    for (const ChainMember& m : cluster.members) {
+      keys.push_back({side == 0 ? acrossOf(m) - lowM : highM - acrossOf(m), static_cast<std::uint32_t>(keys.size())});
+    }
+    sortKeys(keys);
+    order.clear();
+    for (const SortKey& key : keys) order.push_back(key.index);
   }
   for (ChainMember& m : cluster.members) {
     m.fromM = alongOf(m.segment.start) - fromM;

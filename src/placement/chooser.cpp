@@ -97,9 +97,11 @@ bool Chooser::chooseOutside(std::span<const UsableBaseLine> bases, const Measure
     candidates_.clear();
     for (const UsableBaseLine& base : bases) gather(candidates, base, candidates_);
     // Equal scores are ordered by identity, so that the same frame always gives the same layout.
-    std::ranges::sort(candidates_, [](const Candidate& a, const Candidate& b) {
-      if (a.secondOffset != b.secondOffset) return b.secondOffset;
-      return a.score != b.score ? a.score > b.score : orderOf(a.identity) < orderOf(b.identity);
+    ranked_.clear();
+    for (Candidate& candidate : candidates_) ranked_.push_back(&candidate);
+    std::ranges::sort(ranked_, [](const Candidate* a, const Candidate* b) {
+      if (a->secondOffset != b->secondOffset) return b->secondOffset;
+      return a->score != b->score ? a->score > b->score : orderOf(a->identity) < orderOf(b->identity);
     });
     if (chooseBest(measured, context)) return true;
   }
@@ -147,7 +149,8 @@ bool Chooser::chooseBest(const Measured& measured, const ChoiceContext& context)
   bool found = false;
   bool firstOffsetFailed = false;
   double bestScore = 0;
-  for (Candidate& candidate : candidates_) {
+  for (Candidate* const ranked : ranked_) {
+    Candidate& candidate = *ranked;
     // The second offset comes last, whatever its score.
     if (candidate.secondOffset ? !firstOffsetFailed : found && bestScore >= candidate.score) continue;
     const auto beaten = [&](double score) { return found && bestScore >= score; };

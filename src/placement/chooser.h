@@ -89,6 +89,7 @@ class Chooser {
   std::vector<UsableBaseLine> bases_;
   std::vector<UsableBaseLine> chainBases_;
   std::vector<Candidate> candidates_;
+  std::vector<Candidate*> ranked_;          ///< candidates_, the best first
   std::vector<SlipPlane> slipPlanes_;
   TakenStretches chainStretches_;
 };

@@ -1,10 +1,12 @@
 #include "placement/placer.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 #include <utility>
 
+#include "core/sort_keys.h"
 #include "placement/chooser.h"
 #include "placement/mending.h"
 #include "placement/other_handles.h"
@@ -210,14 +212,24 @@ void Placer::setScene(const Model& model, const Scene& scene) {
   }
   const std::vector<Measured> before = std::exchange(s.order, {});
   s.others.clear();
+  std::vector<Measured> lines;
+  std::array<std::vector<SortKey>, 2> byLength;   // of those that can be edited; of those that are only read, which take no place from the former
   for (Measured& measured : measure(model, s.scopes, s.modelSizeM)) {
     if (sameModel) s.keepChains(before, measured);
-    (isLine(measured.annotation.type) ? s.order : s.others).push_back(std::move(measured));
+    if (isLine(measured.annotation.type)) {
+      byLength[s.parameters[measured.parameter].measure ? 1 : 0].push_back({measured.meanLengthM, static_cast<std::uint32_t>(lines.size())});
+      lines.push_back(std::move(measured));
+    } else {
+      s.others.push_back(std::move(measured));
+    }
   }
-  std::ranges::stable_sort(s.order, {}, &Measured::meanLengthM);
-  // What is only read takes no place from what can be edited.
-  const auto readOnly = std::ranges::stable_partition(s.order, [&](const Measured& m) { return !s.parameters[m.parameter].measure; });
-  s.objectPlanes = objectPlanes(fixedBaseLines({s.order.begin(), readOnly.begin()}, s.scopes), scene.bounds);
+  const auto appendSorted = [&](std::vector<SortKey>& keys) {
+    sortKeys(keys);
+    for (const SortKey& key : keys) s.order.push_back(std::move(lines[key.index]));
+  };
+  appendSorted(byLength[0]);
+  s.objectPlanes = objectPlanes(fixedBaseLines(s.order, s.scopes), scene.bounds);
+  appendSorted(byLength[1]);
 }
 
 /// In a model that an edit has rebuilt, chains are known by the clusters that theirs have become. As many clusters as before are the same ones.
