@@ -4,6 +4,8 @@
 
 #include <glm/gtc/quaternion.hpp>
 
+#include "core/power.h"
+
 namespace dimline {
 
 namespace {
@@ -112,8 +114,8 @@ Camera zoom(const Camera& start, double factor, const Vec3& pivot, const CameraL
   return camera;
 }
 
-double wheelZoomFactor(double deltaPx) { return std::pow(kWheelZoomPer100Px, -deltaPx / 100.0); }
-double dragZoomFactor(double travelPx) { return std::exp2(travelPx / kDragHalvesAfterPx); }
+double wheelZoomFactor(double deltaPx) { return power(kWheelZoomPer100Px, -deltaPx / 100.0); }
+double dragZoomFactor(double travelPx) { return power(2, travelPx / kDragHalvesAfterPx); }
 
 Vec3 pointAtTargetDepth(const View& view, const Vec2& screen) {
   const View::Ray ray = view.rayThrough(screen);

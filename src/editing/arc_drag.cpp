@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/power.h"
 #include "editing/arc_projection.h"
 #include "placement/label_text.h"
 #include "placement/text_metrics.h"
@@ -88,7 +89,7 @@ double ArcDrag::valueAt(const Vec2& pointer, const View& view, Snap snap) {
   if (!(snapped.step > 0)) {
     // Decimal angles finer than anybody can point at.
     const double radiusPx = std::max(glm::length(startTip - view.toScreen(handle_.arc->center)), 1.0);
-    snapped.step = std::pow(10.0, std::floor(std::log10(kTolerancePx / radiusPx / kRadPerDeg)));
+    snapped.step = powerOfTenWithin(kTolerancePx / radiusPx / kRadPerDeg);
   }
   return lastValue_ = snapValue(snapped, best);
 }

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "core/power.h"
+
 // Values are searched as numbers of steps from the least one, so that "neighbouring value" means something for every
 // type. The search keeps the greatest step known to be too small and the least known to be too great, and tries between
 // them: by interpolation, every third time by halving, which bounds the number of tries where the rule has jumps. Until
@@ -125,7 +127,7 @@ std::optional<double> ValueSearch::nextStep(const Bracket& bracket, int round) c
   const bool up = bracket.tooSmall.has_value();
   const Tried& from = up ? *bracket.tooSmall : *bracket.tooGreat;
   const double stride =
-      std::max(1.0, std::round(std::abs(from.missM / (slope_ * stepSize_)))) * std::exp2(std::max(0, round - 1));
+      std::max(1.0, std::round(std::abs(from.missM / (slope_ * stepSize_)))) * std::ldexp(1.0, std::max(0, round - 1));
   const double next = std::clamp(up ? std::floor(from.step) + stride : std::ceil(from.step) - stride, 0.0, lastStep_);
   if (up ? next <= from.step : next >= from.step) return std::nullopt;
   return next;
@@ -161,7 +163,7 @@ void ValueSearch::chooseStep() {
   const double range = max_ - min_;
   stepSize_ = parameter_.step;
   if (!(stepSize_ > 0)) {
-    stepSize_ = std::pow(10.0, std::floor(std::log10(toleranceM_ / std::abs(slope_))));
+    stepSize_ = powerOfTenWithin(toleranceM_ / std::abs(slope_));
     stepSize_ = std::max(stepSize_, range / kMostSteps);
     parameter_.step = stepSize_;
   }

@@ -13,6 +13,7 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
+#include "core/power.h"
 #include "core/text.h"
 #include "gltf/gltf_container.h"
 #include "gltf/gltf_file.h"
@@ -281,10 +282,11 @@ Scene sceneOf(const Source& source, const Vec3& factors) {
 
 /// 1, 2 or 5 times a power of ten, the nearest (by ratio) to the value.
 double roundNumberNear(double value) {
-  const double power = std::pow(10.0, std::floor(std::log10(value)));
-  double best = power;
+  const auto ratio = [value](double to) { return std::max(to / value, value / to); };
+  const double ten = powerOfTenWithin(value);
+  double best = ten;
   for (const double digit : {2.0, 5.0, 10.0}) {
-    if (std::abs(std::log(digit * power / value)) < std::abs(std::log(best / value))) best = digit * power;
+    if (ratio(digit * ten) < ratio(best)) best = digit * ten;
   }
   return best;
 }

@@ -6,6 +6,8 @@
 
 #include <glm/ext/matrix_transform.hpp>
 
+#include "core/power.h"
+
 namespace dimline {
 
 namespace {
@@ -69,8 +71,8 @@ int repeatCount(double lengthM, double targetM) {
 
 glm::vec3 linearFromSrgb(std::uint32_t rgb) {
   auto channel = [&](int shift) {
-    const float c = static_cast<float>((rgb >> shift) & 0xFFU) / 255.0F;
-    return c <= 0.04045F ? c / 12.92F : std::pow((c + 0.055F) / 1.055F, 2.4F);
+    const double c = ((rgb >> shift) & 0xFFU) / 255.0;
+    return static_cast<float>(c <= 0.04045 ? c / 12.92 : power((c + 0.055) / 1.055, 2.4));
   };
   return {channel(16), channel(8), channel(0)};
 }

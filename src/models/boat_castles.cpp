@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/power.h"
 #include "models/boat_parts.h"
 
 // Forecastle and sterncastle: sides that go up in steps, decks, the bulkheads that close them, and what stands on deck.
@@ -217,7 +218,7 @@ void drawShipsBoat(const Ship& ship, double lengthM) {
   std::vector<std::vector<Vec3>> ribs;
   for (int i = 0; i <= kRibs; ++i) {
     const double out = 2.0 * i / kRibs - 1;  // from the stern, which is cut off square, to the bow
-    const double full = std::sqrt(std::max(0.0, 1 - std::pow(std::abs(out), 2.4)));
+    const double full = std::sqrt(std::max(0.0, 1 - power(std::abs(out), 2.4)));
     const double half = std::max((out < 0 ? std::max(full, 0.45) : full) * kBeam * 0.5, 0.12);
     std::vector<Vec3>& rib = ribs.emplace_back();
     for (int j = kGirth; j >= -kGirth; --j) {

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/power.h"
 #include "models/boat_parts.h"
 
 // The hull: planks over frames up to the main deck, and the timbers that hold it together.
@@ -15,13 +16,13 @@ constexpr int kTopStrakes = 7;     // from the wale to the main deck
 constexpr int kDeckStrakes = 4;    // on each side
 
 /// Stations from stern to stem, closer together where the bow turns in.
-double station(int i) { return 1 - std::pow(1 - static_cast<double>(i) / kStations, 1.5); }
+double station(int i) { return 1 - power(1 - static_cast<double>(i) / kStations, 1.5); }
 
 /// Heights of the strakes' edges, from the keel to the main deck. One of them is the waterline.
 std::vector<double> strakeHeights(const HullForm& hull) {
   std::vector<double> heights;
   for (int j = 0; j < kBottomStrakes; ++j)
-    heights.push_back(hull.wale() * (1 - std::pow(std::cos(kPi * 0.5 * j / kBottomStrakes), 0.8)));
+    heights.push_back(hull.wale() * (1 - power(std::cos(kPi * 0.5 * j / kBottomStrakes), 0.8)));
   for (int j = 0; j <= kTopStrakes; ++j) heights.push_back(hull.wale() + (hull.depth - hull.wale()) * j / kTopStrakes);
   *std::min_element(heights.begin() + 1, heights.end() - 1, [&](double a, double b) {
     return std::abs(a - hull.draught) < std::abs(b - hull.draught);

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+
+#include "core/power.h"
 
 namespace dimline::boat {
 
@@ -50,7 +53,7 @@ Mast squareMast(const Plan& plan, double x, double height, int shrouds) {
 
 /// How much of the sheer there is at a height: all of it at the main deck.
 double sheerAt(const HullForm& hull, double h) {
-  return hull.sheer * std::pow(std::clamp(h / hull.depth, 0.0, 1.0), 1.2);
+  return hull.sheer * power(std::clamp(h / hull.depth, 0.0, 1.0), 1.2);
 }
 
 /// How far the hull's lines have risen at u, from amidships to both ends.
@@ -65,9 +68,9 @@ double riseAtStern(const HullForm& hull, double h) { return riseOf(sheerAt(hull,
 
 double HullForm::midship(double h) const {
   const double half = beam * 0.5, w = wale();
-  if (h < w) return half * std::pow(1 - std::pow(1 - std::max(h, 0.0) / w, 2.5), 1 / 2.5);
+  if (h < w) return half * power(1 - power(1 - std::max(h, 0.0) / w, 2.5), 1 / 2.5);
   // Tumblehome: the sides lean inwards above the wale, most of it in the middle of their height.
-  return half * (1 - 0.42 * (1 - std::exp(-std::pow((h - w) / (0.95 * depth), 1.6))));
+  return half * (1 - 0.42 * (1 - power(std::numbers::e, -power((h - w) / (0.95 * depth), 1.6))));
 }
 
 double HullForm::sternX(double h) const { return kSternRake * (depth + riseAtStern(*this, depth) - h - riseAtStern(*this, h)); }
@@ -93,7 +96,7 @@ HullLine::HullLine(const HullForm& hull, double h)
   const double level = std::clamp(h / hull.depth, 0.0, 1.0);
   runPower_ = mix(1.7, 2.3, level);
   runFullness_ = mix(1.35, 1, level);
-  entrancePower_ = mix(1.6, 2.7, std::pow(level, 0.8));
+  entrancePower_ = mix(1.6, 2.7, power(level, 0.8));
   entranceFullness_ = mix(1.1, 0.6, level);
 }
 
@@ -103,10 +106,10 @@ Vec3 HullLine::side(double u) const {
   double z = 0;
   if (u < kMidship) {
     const double s = (kMidship - u) / kMidship;
-    z = transom_ + (broadest_ - transom_) * std::pow(1 - std::pow(s, runPower_), runFullness_);
+    z = transom_ + (broadest_ - transom_) * power(1 - power(s, runPower_), runFullness_);
   } else {
     const double s = (u - kMidship) / (1 - kMidship);
-    z = broadest_ * std::pow(1 - std::pow(s, entrancePower_), entranceFullness_);
+    z = broadest_ * power(1 - power(s, entrancePower_), entranceFullness_);
   }
   return {mix(sternX_, stemX_, u), h_ + riseOf(sheerThere_, u), z};
 }
@@ -125,7 +128,7 @@ Vec3 SailSurface::at(double across, double down) const {
   const double width = sail.headWidth + (sail.footWidth - sail.headWidth) * down;
   const double hollow = 1 - 0.05 * std::sin(kPi * down);  // the leeches are drawn in
   const double round = std::cos(kPi / 2 * across * 0.96);
-  const double fill = std::sin(kPi * std::pow(down, 0.85) * 0.86);
+  const double fill = std::sin(kPi * power(down, 0.85) * 0.86);
   const double height = sail.yardY - sail.footY;
   const double roach = sail.roach * std::cos(kPi / 2 * across) * down * down;  // and the foot upwards
   return {x + sail.belly * round * fill, sail.yardY - 0.12 - (height - 0.12) * down + roach, width * 0.5 * across * hollow};

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/power.h"
 #include "models/boat_parts.h"
 
 // Masts, spars, sails and flags. The wind is from astern: sails belly forward, flags stream forward.
@@ -25,7 +26,7 @@ void drawCross(const Ship& ship, const SailSurface& surface) {
         // Broader at its ends, like the crosses on Portuguese sails.
         const double s = 2.0 * j / columns - 1, t = 1 - 2.0 * i / rows;
         const bool level = halfAcrossM > halfDownM;
-        const double flare = 1 + 0.7 * std::pow(std::abs(level ? s : t), 3.0);
+        const double flare = 1 + 0.7 * power(std::abs(level ? s : t), 3.0);
         const double acrossM = halfAcrossM * s * (level ? 1 : flare);
         const double at = level ? 0.52 + halfDownM * flare / height * t : down;
         row.push_back(surface.at(-2 * acrossM / width, at) + Vec3(0.045, 0, 0));
@@ -232,7 +233,7 @@ void drawLateenMast(const Ship& ship, const Mast& mast, std::string_view name) {
   const auto at = [&](double s, double t) {
     const Vec3 flat = foot + ((head - foot) * (1 - t) + (clew - foot) * t) * s;
     const double belly =
-        0.035 * length * std::sin(kPi * std::min(s, 0.999) * 0.9) * std::sin(kPi * std::pow(t, 0.9) * 0.92);
+        0.035 * length * std::sin(kPi * std::min(s, 0.999) * 0.9) * std::sin(kPi * power(t, 0.9) * 0.92);
     return flat + Vec3(0.02, -0.1 * s, belly);
   };
   std::vector<std::vector<Vec3>> rows;

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/power.h"
 #include "models/boat_parts.h"
 #include "models/vocabulary.h"
 
@@ -47,12 +48,12 @@ void drawStrake(const Ship& ship, const Ring& section, double fromX, double toX,
   const double from = line.uAt(fromX), to = std::min(line.uAt(toX), 0.999);
   // Closer together towards the bow, where the side turns in.
   const int steps = std::max(4, static_cast<int>(std::ceil((to - from) * 24)));
-  const auto curve = [](double u) { return 1 - std::pow(1 - u, 1 / 1.5); };
+  const auto curve = [](double u) { return 1 - power(1 - u, 1 / 1.5); };
   const double first = curve(from), last = curve(to);
   std::vector<Vec3> way;
   for (int i = 0; i <= steps; ++i) {
     const double w = first + (last - first) * i / steps;
-    const double u = i == 0 ? from : i == steps ? to : 1 - std::pow(1 - w, 1.5);
+    const double u = i == 0 ? from : i == steps ? to : 1 - power(1 - w, 1.5);
     way.push_back(mirrored(line.side(u), side));
   }
   // To the right of the way is outboard on the starboard side; on the port side the way runs aft.

@@ -5,6 +5,8 @@
 #include <limits>
 #include <numbers>
 
+#include "core/power.h"
+
 // Each kind grows by a rule of its own, in about the size that is asked for. Its leaves are on a few sprigs that are put up many times over,
 // since making and preparing thousands of leaves one by one is what takes time. Then all is stretched a little so that the leaves fill the
 // crown's box. Nothing that depends on the sizes decides how many random numbers are drawn, so a tree that is dragged larger stays the same tree.
@@ -243,7 +245,7 @@ Growth Grower::birch() {
     const double share = (i + 0.5) / kBranches, a = i * kGoldenRad + random_.real(-0.3, 0.3);
     const Vec3 from = along(leader, 0.06 + 0.9 * share), out = level(a);
     // Egg-shaped: widest below the middle, pointed at the top.
-    const double reach = radius_ * (std::pow(std::sin(kPi * std::pow(1 - 0.93 * share, 1.25)), 0.7) * random_.real(0.82, 1.0) + 0.04);
+    const double reach = radius_ * (power(std::sin(kPi * power(1 - 0.93 * share, 1.25)), 0.7) * random_.real(0.82, 1.0) + 0.04);
     // A long branch arches over, a short one just climbs.
     const double climb = height_ * (0.10 + 0.04 * share), arch = 0.6 * climb + std::min(0.65 * climb, 0.3 * reach);
     const double thick = std::min(0.22 * trunk_, 0.06 * radius_) * (1 - 0.6 * share);
@@ -293,12 +295,12 @@ Growth Grower::spruce() {
   double widest = 0;
   for (int w = 0; w < kWhorls; ++w) {
     const double share = static_cast<double>(w) / (kWhorls - 1);
-    const double length = (radius_ * 0.95 * std::pow(1 - share, 0.85) + 0.06 * radius_) * (w == 0 ? 1.05 : random_.real(0.86, 1.02));
+    const double length = (radius_ * 0.95 * power(1 - share, 0.85) + 0.06 * radius_) * (w == 0 ? 1.05 : random_.real(0.86, 1.02));
     const std::size_t made = bough(length, hang * (-0.3 + 0.85 * share * share), 0.28 * hang, 11 - static_cast<int>(5 * share), 1);
     eachLeafPoint(growth_.sprigs[made], [&](const Vec3& p) { widest = std::max(widest, std::hypot(p.x, p.z)); });
     // The lowest whorl reaches furthest; it has boughs straight to all four sides.
     const int boughs = w == 0 ? 12 : 11 - static_cast<int>(5 * share);
-    const double y = height_ * (0.05 + 0.9 * std::pow(share, 0.93));
+    const double y = height_ * (0.05 + 0.9 * power(share, 0.93));
     for (int i = 0; i < boughs; ++i) {
       const double jitter = random_.real(-0.2, 0.2), drop = random_.real(-0.015, 0.015) * height_;
       place(made, {0, y + (w == 0 ? 0.0 : drop), 0}, turned(w * kGoldenRad + 2 * kPi * (i + (w == 0 ? 0.0 : jitter)) / boughs));
@@ -332,7 +334,7 @@ std::size_t Grower::frond(double riseRad, double lengthM) {
   for (int i = 0; i < kPairs; ++i) {
     const double t = 0.14 + 0.86 * (i + 0.5) / kPairs;
     const Vec3 at = along(path, t), way = glm::normalize(along(path, std::min(t + 0.08, 1.0)) - along(path, t - 0.08));
-    const double reach = lengthM * 0.3 * std::pow(std::sin(kPi * (0.08 + 0.86 * t)), 0.6);
+    const double reach = lengthM * 0.3 * power(std::sin(kPi * (0.08 + 0.86 * t)), 0.6);
     const Vec3 up = glm::normalize(glm::cross(Vec3(0, 0, 1), way));
     for (const double s : {-1.0, 1.0}) {
       const Vec3 leaflet = glm::normalize(Vec3(0, -random_.real(0.2, 0.5), s) + way * (0.35 + 0.7 * t) + up * 0.18);
@@ -352,7 +354,7 @@ Growth Grower::palm() {
   double widestM = 0;
   for (int i = 0; i < kRounds; ++i) {
     // The youngest stand up in the middle, the oldest hang.
-    const double share = static_cast<double>(i) / (kRounds - 1), rise = 1.3 - 1.7 * std::pow(share, 0.8);
+    const double share = static_cast<double>(i) / (kRounds - 1), rise = 1.3 - 1.7 * power(share, 0.8);
     const double length = 0.72 + 0.4 * std::sin(kPi * std::min(share * 0.8 + 0.15, 1.0));
     const std::size_t made = frond(rise, radius_ * length * random_.real(0.95, 1.05));
     eachLeafPoint(growth_.sprigs[made], [&](const Vec3& p) {

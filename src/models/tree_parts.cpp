@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/power.h"
 #include "models/tree_growth.h"
 #include "models/vocabulary.h"
 
@@ -108,7 +109,7 @@ void drawStem(Builder& b, const Tree& tree, const Growth& growth) {
   StemLine line = stemLine(tree.stem, bark);
   for (std::size_t i = 0; i < growth.leader.size(); ++i) {
     const double t = static_cast<double>(i + 1) / static_cast<double>(growth.leader.size());
-    line.add(growth.leader[i] + Vec3(0, tree.stem.height, 0), 0.98 + (growth.leaderEnd - 0.98) * std::pow(t, 0.8));
+    line.add(growth.leader[i] + Vec3(0, tree.stem.height, 0), 0.98 + (growth.leaderEnd - 0.98) * power(t, 0.8));
   }
   Ring section = stemSection(bark);
   for (Vec2& p : section) p *= tree.stem.diameter;

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/constants.h"
+#include "core/power.h"
 
 namespace dimline {
 
@@ -42,7 +43,7 @@ bool inView(const View& view, const Obb& box) {
 
 void Sight::age(int frames) {
   still_ = frames == 0;
-  recent_ *= frames == 1 ? kSightFading : std::pow(kSightFading, frames);
+  recent_ *= frames == 1 ? kSightFading : power(kSightFading, frames);
   const int direction = frames_ > 0 ? 1 : -1;
   if (frames_ != 0) frames_ = std::clamp(frames_ + direction * frames, -kReturnFrames, kReturnFrames);
 }
