@@ -21,7 +21,8 @@
 //
 // Most parts of a model lie in front of, behind or between others, and cannot change a field. So the parts are taken
 // from the outside in, and one whose box on screen is nowhere nearer to the viewport's edges than what is known
-// already is passed over. That is exact: the fields do not depend on the order.
+// already is passed over. That is exact: the fields do not depend on the order. An instance of few parts, as of a baluster
+// or a window, is first looked at as a whole, which mostly is enough.
 
 #include "silhouette/cpu_fields.h"
 
@@ -39,6 +40,9 @@ namespace {
 /// Relative error that float arithmetic may leave in a facet's plane evaluated at the viewer, with room to spare.
 constexpr float kFacingError = 1e-6F;
 
+/// Instances of up to so many parts are looked at as a whole. With more, one box around them says too little: a mesh may be all of a building.
+constexpr std::size_t kPartsTogether = 16;
+
 /// Steps into which "how far out" is divided to order the parts.
 constexpr std::size_t kOrderSteps = 64;
 
@@ -50,12 +54,25 @@ struct Placed {
   Mat4 toWorld;  ///< from the mesh's frame relative to its centre
 };
 
-/// A part of an instance that may be seen in this frame.
+/// A part of an instance, or all of its parts, that may be seen in this frame.
 struct Seen {
   std::uint32_t instance;
-  std::uint32_t part;
+  EdgeMesh::Span parts;
   BoxOnScreen box;
 };
+
+/// All of a mesh as one part.
+EdgeMesh::Part wholeOf(const EdgeMesh& mesh) {
+  Bounds bounds;
+  for (const EdgeMesh::Part& part : mesh.parts) {
+    bounds.add(part.center - part.halfSize);
+    bounds.add(part.center + part.halfSize);
+  }
+  EdgeMesh::Part whole;
+  whole.center = bounds.center();
+  whole.halfSize = bounds.size() * 0.5;
+  return whole;
+}
 
 bool finite(const Mat4& m) {
   for (int column = 0; column < 4; ++column) {
@@ -135,10 +152,16 @@ void scanCutTriangle(const ProjectedVertex& a, const ProjectedVertex& b, const P
   if ((any & (kBeyondBottom | kBeyondNear)) != 0) scanStretch(polygon, 1, scan.heightPx(), scan);
 }
 
+/// Whether what is in the box can change no field.
+bool known(const BoxOnScreen& box, const StripScan& scan) {
+  return (box.anyBeyond & kBeyondNear) == 0 && scan.knows(box.left, box.right, box.top, box.bottom);
+}
+
 }  // namespace
 
 struct CpuFields::Prepared {
   std::vector<EdgeMesh> meshes;
+  std::vector<EdgeMesh::Part> wholes;  ///< one a mesh: its box
   std::vector<Placed> instances;
 
   // Scratch, as large as the scene can need.
@@ -153,6 +176,7 @@ struct CpuFields::Prepared {
   void lookForParts(const View& view, const StripScan& scan);
   void orderParts(const StripScan& scan);
   void findSilhouette(const EdgeMesh& mesh, const EdgeMesh::Part& part, const MeshProjection& projection);
+  void scanPart(std::uint32_t instance, const EdgeMesh::Part& part, const BoxOnScreen& box, StripScan& scan);
   void scanInside(const EdgeMesh& mesh, const MeshProjection& projection, StripScan& scan) const;
   void scanCut(const EdgeMesh& mesh, const EdgeMesh::Part& part, const MeshProjection& projection, StripScan& scan);
 };
@@ -163,9 +187,14 @@ void CpuFields::Prepared::lookForParts(const View& view, const StripScan& scan) 
   for (std::uint32_t i = 0; i < instances.size(); ++i) {
     projections[i] = MeshProjection(view, instances[i].toWorld, scan.widthPx(), scan.heightPx());
     const std::vector<EdgeMesh::Part>& parts = meshes[instances[i].mesh].parts;
-    for (std::uint32_t p = 0; p < parts.size(); ++p) {
-      const BoxOnScreen box = projections[i].look(parts[p]);
-      if (box.allBeyond == 0) seen.push_back({i, p, box});
+    const auto add = [&](const EdgeMesh::Part& looked, std::uint32_t first, std::size_t count) {
+      const BoxOnScreen box = projections[i].look(looked);
+      if (box.allBeyond == 0) seen.push_back({i, {first, first + static_cast<std::uint32_t>(count)}, box});
+    };
+    if (parts.size() > 1 && parts.size() <= kPartsTogether) {
+      add(wholes[instances[i].mesh], 0, parts.size());
+    } else {
+      for (std::uint32_t p = 0; p < parts.size(); ++p) add(parts[p], p, 1);
     }
   }
 }
@@ -228,6 +257,17 @@ void CpuFields::Prepared::findSilhouette(const EdgeMesh& mesh, const EdgeMesh::P
   silhouetteCount = static_cast<std::size_t>(next - silhouette.data());
 }
 
+void CpuFields::Prepared::scanPart(std::uint32_t instance, const EdgeMesh::Part& part, const BoxOnScreen& box, StripScan& scan) {
+  const EdgeMesh& mesh = meshes[instances[instance].mesh];
+  const MeshProjection& projection = projections[instance];
+  findSilhouette(mesh, part, projection);
+  if (box.anyBeyond == 0) {
+    scanInside(mesh, projection, scan);
+  } else {
+    scanCut(mesh, part, projection, scan);
+  }
+}
+
 void CpuFields::Prepared::scanInside(const EdgeMesh& mesh, const MeshProjection& projection, StripScan& scan) const {
   for (std::size_t i = 0; i < silhouetteCount; ++i) {
     const EdgeMesh::Edge& edge = mesh.edges[silhouette[i]];
@@ -259,11 +299,13 @@ CpuFields& CpuFields::operator=(CpuFields&&) noexcept = default;
 void CpuFields::setScene(const Scene& scene) {
   Prepared& p = *prepared_;
   p.meshes.clear();
+  p.wholes.clear();
   std::size_t vertices = 0;
   std::size_t facets = EdgeMesh::kFirstFacet;
   std::size_t edges = 0;
   for (const Mesh& mesh : scene.meshes) {
     const EdgeMesh& made = p.meshes.emplace_back(makeEdgeMesh(mesh));
+    p.wholes.push_back(wholeOf(made));
     vertices = std::max(vertices, made.positions.size());
     facets = std::max(facets, made.offset.size());
     for (const EdgeMesh::Part& part : made.parts) edges = std::max<std::size_t>(edges, part.edges.size());
@@ -294,17 +336,15 @@ void CpuFields::produce(const View& view, DistanceFields& fields) {
   p.orderParts(scan);
   for (const std::uint32_t index : p.order) {
     const Seen& seen = p.seen[index];
-    const BoxOnScreen& box = seen.box;
-    const bool cutByNear = (box.anyBeyond & kBeyondNear) != 0;
-    if (!cutByNear && scan.knows(box.left, box.right, box.top, box.bottom)) continue;
-    const EdgeMesh& mesh = p.meshes[p.instances[seen.instance].mesh];
-    const EdgeMesh::Part& part = mesh.parts[seen.part];
-    const MeshProjection& projection = p.projections[seen.instance];
-    p.findSilhouette(mesh, part, projection);
-    if (box.anyBeyond == 0) {
-      p.scanInside(mesh, projection, scan);
-    } else {
-      p.scanCut(mesh, part, projection, scan);
+    if (known(seen.box, scan)) continue;
+    const std::vector<EdgeMesh::Part>& parts = p.meshes[p.instances[seen.instance].mesh].parts;
+    if (seen.parts.size() == 1) {
+      p.scanPart(seen.instance, parts[seen.parts.first], seen.box, scan);
+      continue;
+    }
+    for (std::uint32_t i = seen.parts.first; i < seen.parts.end; ++i) {
+      const BoxOnScreen box = p.projections[seen.instance].look(parts[i]);
+      if (box.allBeyond == 0 && !known(box, scan)) p.scanPart(seen.instance, parts[i], box, scan);
     }
   }
   fields.buildTrees();
