@@ -16,8 +16,9 @@ namespace dimline {
 namespace {
 
 constexpr int kRoundFrames = 90;
-constexpr int kZoomFrames = 75;
-constexpr double kZoomStep = 0.97;
+constexpr int kZoomFrames = 130;
+// What is at the rim moves as far in a step as in a turn by one degree, for which the aims are meant.
+constexpr double kZoomStep = 1 - kRadPerDeg;
 
 Vec3 directionFrom(double azimuthDeg, double elevationDeg) {
   const double azimuth = azimuthDeg * kRadPerDeg;

@@ -39,6 +39,8 @@ class History {
   void age();
   /// Notes this frame's choice, its offset (negative: none that the next frame should look at), and how far it lies from its base line on screen (px).
   void choose(const Identity& choice, double offsetM, const Segment2& awayPx = {});
+  /// This frame's choice was found better than another place, and need not be looked at again for a while.
+  void prefer() { framesHeld_ = 0; }
   /// The model has changed: offsets of the last frame mean nothing any more.
   void forgetOffset();
   /// The model's clusters have other numbers now: each chain that is remembered gets the number that `numberNow` gives for its old one, or is forgotten when that is negative.
@@ -56,7 +58,7 @@ class History {
   void choseNone();
   /// Whether there was a last frame and nothing was shown in it.
   [[nodiscard]] bool hidden() const { return hidden_; }
-  /// Moved frames since the last frame's choice was made for the first time; counts to kReturnFrames.
+  /// Moved frames since the last frame's choice was made for the first time, or since it was preferred to another; counts to kReturnFrames.
   [[nodiscard]] int framesHeld() const { return framesHeld_; }
 
  private:

@@ -281,7 +281,8 @@ void Placer::State::mend(const FrameToPlace& frame, Layout& layout) {
     past = beforeAttempts;
     placeWithRoom(frame, layout);
     avoided.reset();
-    if (!outcome.betterThan(bestOutcome)) swapWithBest(layout);
+    // One that has no other place outside would be back in its own in the next frame.
+    if (outcome.outside[*rank] == 0 || !outcome.betterThan(bestOutcome)) swapWithBest(layout);
   }
   past.mending = mending;
 }
@@ -417,6 +418,7 @@ bool Placer::State::placeLines(std::size_t rank, const ChoiceContext& context, d
   const Candidate& winner = chooser.winner();
   history.choose(winner.identity, winner.placement == PlacementKind::kOutside ? winner.offsetM : -1,
                  away(winner.baseScreen, winner.lineScreen));
+  if (context.avoid != nullptr) history.prefer();
   landChoice(measured, value, layout);
   return chooser.cramped();
 }
