@@ -55,7 +55,7 @@ bool Chooser::choose(const Measured& measured, const ChoiceContext& context, con
   if (singleStays && chooseSingle()) return true;
   if (chained && chooseOutside(chainBases_, measured, candidates, context)) return true;
   if (!singleStays && chooseSingle()) return true;
-  chooseInside(measured, candidates, context);
+  chooseInside(candidates, context);
   return true;
 }
 
@@ -176,9 +176,8 @@ bool Chooser::chooseBest(const Measured& measured, const ChoiceContext& context)
   return found;
 }
 
-/// The fallback: the base lines themselves (algorithm 1, line 9), the best that runs into no other line, or else the best. A label that has no room there
-/// is left out.
-void Chooser::chooseInside(const Measured& measured, const CandidateContext& candidates, const ChoiceContext& context) {
+/// The fallback: the base lines themselves (algorithm 1, line 9), the best that runs into no other line, or else the best. Its label waits for what else is there.
+void Chooser::chooseInside(const CandidateContext& candidates, const ChoiceContext& context) {
   const Landed& landed = context.occupied.landed();
   candidates_.clear();
   for (const UsableBaseLine& base : bases_) gatherInsideCandidate(candidates, base, context.scopes[base.scope].box, candidates_);
@@ -187,7 +186,7 @@ void Chooser::chooseInside(const Measured& measured, const CandidateContext& can
   cramped_ = landed.runsInto(best->lineScreen);
   winner_ = *best;
   winnerLines_.clear();
-  winnerLines_.push_back(chosen(winner_, placeLabel({.line = winner_.lineScreen, .textSize = measured.textSize}, landed, context.view.viewport())));
+  winnerLines_.push_back(chosen(winner_));
 }
 
 Chooser::Worth Chooser::worth(const Landed& landed) const {

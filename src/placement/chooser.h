@@ -64,7 +64,7 @@ class Chooser {
   bool chooseOutside(std::span<const UsableBaseLine> bases, const Measured& measured, const CandidateContext& candidates, const ChoiceContext& context);
   bool chooseAgain(const Measured& measured, const CandidateContext& candidates, const ChoiceContext& context);
   bool chooseBest(const Measured& measured, const ChoiceContext& context);
-  void chooseInside(const Measured& measured, const CandidateContext& candidates, const ChoiceContext& context);
+  void chooseInside(const CandidateContext& candidates, const ChoiceContext& context);
   struct AmongOthers {
     double score = 0;             ///< px
     Landed::Crossings landed;

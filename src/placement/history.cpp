@@ -26,6 +26,8 @@ double History::relaxedOffsetM(double leastM, double stepM) const {
 
 void History::age() {
   framesHeld_ = std::min(framesHeld_ + 1, kReturnFrames);
+  betterFrames_ = betterThere_ ? std::min(betterFrames_ + 1, kReturnFrames) : 0;
+  betterThere_ = false;
   for (Left& left : left_) left.framesAgo = std::min(left.framesAgo + 1, kReturnFrames);
 }
 

@@ -39,6 +39,12 @@ class History {
   void age();
   /// Notes this frame's choice, its offset (negative: none that the next frame should look at), and how far it lies from its base line on screen (px).
   void choose(const Identity& choice, double offsetM, const Segment2& awayPx = {});
+  /// A better kind of place is there than the last frame's: one outside the model for what was inside, any for what was hidden. Returns whether one has been there for
+  /// kPatienceFrames moved frames on end.
+  bool betterIsThere() {
+    betterThere_ = true;
+    return betterFrames_ >= kPatienceFrames;
+  }
   /// This frame's choice was found better than another place, and need not be looked at again for a while.
   void prefer() { framesHeld_ = 0; }
   /// The model has changed: offsets of the last frame mean nothing any more.
@@ -69,6 +75,8 @@ class History {
   Identity last_;
   bool hidden_ = false;
   int framesHeld_ = 0;
+  bool betterThere_ = false;          ///< in this frame
+  int betterFrames_ = 0;              ///< moved frames on end before this one
   std::optional<Segment2> awayPx_;    ///< of the last choice from its base line; nothing when the model has changed since
   double offsetM_ = -1;               ///< of the last choice; negative when it is not known
   std::array<Left, kReturnFrames> left_;   ///< what was left of late

@@ -25,7 +25,7 @@ Vec2 compass(int number) {
   return {std::cos(rad), std::sin(rad)};
 }
 
-bool inside(const Box2& box, const Box2& viewport) {
+bool isInside(const Box2& box, const Box2& viewport) {
   const Box2 allowed = viewport.grown(-kViewportMarginPx);
   return box.min.x >= allowed.min.x && box.min.y >= allowed.min.y && box.max.x <= allowed.max.x && box.max.y <= allowed.max.y;
 }
@@ -90,7 +90,7 @@ std::optional<Box2> roomTowards(const Box2& from, const Vec2& direction, const O
   if (!std::isfinite(shift)) return std::nullopt;
   for (int step = 0; step < kPillSteps; ++step, shift += kPillStepPx) {
     const Box2 box = shifted(from, direction * shift);
-    if (!inside(box, context.view.viewport())) return std::nullopt;
+    if (!isInside(box, context.view.viewport())) return std::nullopt;
     if (clears(context.padded, box) && context.landed.hasRoom(box)) return box;
   }
   return std::nullopt;
@@ -101,7 +101,7 @@ std::optional<Box2> roomAround(const Box2& box, const OtherHandleContext& contex
   for (int ring = 0; ring < kPillRings; ++ring) {
     for (int number = 0; number < (ring == 0 ? 1 : 8); ++number) {
       const Box2 place = shifted(box, compass(number) * (ring * kPillHeightPx));
-      if (inside(place, context.view.viewport()) && context.landed.hasRoom(place)) return place;
+      if (isInside(place, context.view.viewport()) && context.landed.hasRoom(place)) return place;
     }
   }
   return std::nullopt;
@@ -114,6 +114,42 @@ Identity identityOf(const OtherHandle& handle, const Scope& scope, int way) {
           .baseLine = 0,
           .plane = static_cast<std::int16_t>(way),
           .direction = 0};
+}
+
+/// A place for a pill.
+struct PillPlace {
+  std::size_t scope = 0;
+  Vec2 anchor{0.0};
+  Box2 box;
+  int way = -1;       ///< see identityOf
+  double score = 0;
+};
+
+void offer(const PillPlace& place, std::optional<PillPlace>& best) {
+  if (!best || place.score > best->score) best = place;
+}
+
+double scoreOutside(const OtherHandle& handle, const OtherHandleContext& context, const PillPlace& place) {
+  const Identity identity = identityOf(handle, context.scopes[place.scope], place.way);
+  const Vec2 tip = place.box.center() - compass(place.way) * (0.5 * (place.box.max.y - place.box.min.y));
+  const Segment2 anchor{place.anchor, place.anchor};
+  const Landed::Crossings crossings = context.landed.crossings(anchor, anchor, {tip, tip});
+  return score({.base = anchor,
+                .candidate = {place.box.center(), place.box.center()},
+                .align = handle.annotation.align,
+                .sameAsLastFrame = identity == handle.history.last(),
+                .intersects = crossings.lines}) +
+         handle.history.bonus(identity) + (crossings.labels ? kScoreCoversLabel : 0.0);
+}
+
+/// A place outside beats any inside, as for lines; but what was hidden, or inside, waits until a better kind of place has been there for some frames.
+std::optional<PillPlace> choose(const OtherHandle& handle, const std::optional<PillPlace>& inside, const std::optional<PillPlace>& outside) {
+  const std::optional<PillPlace>& best = outside ? outside : inside;
+  History& history = handle.history;
+  const bool wasInside = history.any() && history.last().plane < 0;
+  const bool better = best && (history.hidden() || (wasInside && inside && outside));
+  if (!better || history.betterIsThere() || !handle.firm) return best;
+  return wasInside ? inside : std::nullopt;
 }
 
 /// Where the options of a range are offered: in a column under the pill, or over it when there is no room below.
@@ -163,7 +199,7 @@ bool slideArc(Arc& arc, const Vec3& outward, const Vec2& labelSize, const OtherH
     Box2 all = arcLabel(arc, labelSize, context.view);
     for (const Vec2& p : points) all.add(p);
     all.add(context.view.toScreen(arc.center));
-    if (step > 0 && !inside(all, context.view.viewport())) return false;
+    if (step > 0 && !isInside(all, context.view.viewport())) return false;
     if (clears(context.padded, all) && context.landed.hasRoom(all)) return true;
   }
   return false;
@@ -185,48 +221,30 @@ Vec2 pillSizePx(const Parameter& parameter) {
 
 std::optional<HiddenReason> placePill(const OtherHandle& handle, const OtherHandleContext& context, PlacedHandle& placed) {
   const Vec2 size = pillSizePx(handle.definition);
-  bool found = false;
   bool anchored = false;   // an anchor is in the viewport
-  double bestScore = -std::numeric_limits<double>::infinity();
-  const auto offer = [&](std::size_t scope, const Vec2& anchor, const Box2& box, int direction, double offerScore) {
-    if (offerScore <= bestScore) return;
-    found = true;
-    bestScore = offerScore;
-    placed.scope = scope;
-    placed.anchor = anchor;
-    placed.box = box;
-    placed.placement = direction < 0 ? PlacementKind::kInside : PlacementKind::kOutside;
-    placed.identity = identityOf(handle, context.scopes[scope], direction);
-  };
+  std::optional<PillPlace> inside;
+  std::optional<PillPlace> outside;
   for (const std::size_t scope : handle.scopes) {
     const Vec3 world = anchorOf(handle.annotation, context.scopes[scope].box);
     if (!context.view.inFrontOfNear(world)) continue;
     const Vec2 anchor = context.view.toScreen(world);
-    if (!inside({anchor, anchor}, context.view.viewport())) continue;
+    if (!isInside({anchor, anchor}, context.view.viewport())) continue;
     anchored = true;
     const Box2 atAnchor = shiftedInto(boxAround(anchor, size), context.view.viewport());
-    // A place outside beats any inside, as for lines.
-    constexpr double kInsideScore = -1e6;
-    if (const auto box = roomAround(atAnchor, context)) {
-      offer(scope, anchor, *box, -1, kInsideScore - glm::length(box->center() - anchor));
-    }
+    if (const auto box = roomAround(atAnchor, context)) offer({scope, anchor, *box, -1, -glm::length(box->center() - anchor)}, inside);
     if (handle.annotation.slip == Slip::kNone) continue;
-    for (int number = 0; number < 8; ++number) {
-      const auto box = roomTowards(atAnchor, compass(number), context);
-      if (!box) continue;
-      const Identity identity = identityOf(handle, context.scopes[scope], number);
-      const Vec2 tip = box->center() - compass(number) * (0.5 * size.y);
-      const Landed::Crossings crossings = context.landed.crossings({anchor, anchor}, {anchor, anchor}, {tip, tip});
-      offer(scope, anchor, *box, number,
-            score({.base = {anchor, anchor},
-                   .candidate = {box->center(), box->center()},
-                   .align = handle.annotation.align,
-                   .sameAsLastFrame = identity == handle.history.last(),
-                   .intersects = crossings.lines}) +
-                handle.history.bonus(identity) + (crossings.labels ? kScoreCoversLabel : 0.0));
+    for (int way = 0; way < 8; ++way) {
+      const auto box = roomTowards(atAnchor, compass(way), context);
+      if (box) offer({scope, anchor, *box, way, scoreOutside(handle, context, {scope, anchor, *box, way})}, outside);
     }
   }
-  if (!found) return anchored ? HiddenReason::kCrowded : HiddenReason::kOutOfView;
+  const auto place = choose(handle, inside, outside);
+  if (!place) return anchored ? HiddenReason::kCrowded : HiddenReason::kOutOfView;
+  placed.scope = place->scope;
+  placed.anchor = place->anchor;
+  placed.box = place->box;
+  placed.placement = place->way < 0 ? PlacementKind::kInside : PlacementKind::kOutside;
+  placed.identity = identityOf(handle, context.scopes[place->scope], place->way);
   placed.parameter = handle.parameter;
   placed.type = handle.annotation.type;
   placed.value = handle.value;
@@ -270,7 +288,7 @@ std::optional<HiddenReason> placeArc(const OtherHandle& handle, const OtherHandl
       std::array<Vec2, kArcSamples + 1> points;
       if (offerScore <= bestScore || !project(arc, context.view, points)) return;
       const Vec2 center = context.view.toScreen(arc.center);
-      if (!inside({center, center}, context.view.viewport())) return;
+      if (!isInside({center, center}, context.view.viewport())) return;
       found = true;
       bestScore = offerScore;
       placed.scope = scope;

@@ -25,7 +25,8 @@ struct OtherHandle {
   const Annotation& annotation;
   std::span<const std::size_t> scopes;
   double value = 0;
-  const History& history;
+  History& history;
+  bool firm = false;         ///< no better kind of place is taken at once
 };
 
 /// Places a boolean or a range handle: a pill of fixed size for its parameter, moved from the middle of the scope's face in the direction of `orient` to where

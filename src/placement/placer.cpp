@@ -8,6 +8,7 @@
 
 #include "core/sort_keys.h"
 #include "placement/chooser.h"
+#include "placement/labels.h"
 #include "placement/mending.h"
 #include "placement/other_handles.h"
 #include "placement/visibility.h"
@@ -142,6 +143,7 @@ struct Placer::State {
     return annotation.occlusion && !showHidden ? seen : inView;
   }
   [[nodiscard]] BaseLineTally scopesOutOfSight(const Measured& measured) const;
+  void labelInside(const View& view, Layout& layout);
   bool placeLines(std::size_t rank, const ChoiceContext& context, double value, Layout& layout);
   void judgeChoice(std::size_t rank, const History& history);
   void landChoice(const Measured& measured, double value, Layout& layout);
@@ -377,7 +379,18 @@ bool Placer::State::placeAll(const FrameToPlace& frame, std::size_t crowded, Lay
       placeOther(other, view, values.at(other.parameter), layout);
     }
   }
+  labelInside(view, layout);
   return cramped;
+}
+
+/// Lines inside the model get their labels last, where there is room for them: such a line says what it is by where it lies, and all else has no other way to say it.
+void Placer::State::labelInside(const View& view, Layout& layout) {
+  for (PlacedLine& line : layout.lines) {
+    if (line.placement != PlacementKind::kInside || line.label) continue;
+    const auto measured = std::ranges::find(order, line.parameter, &Measured::parameter);
+    line.label = placeLabel({.line = line.lineScreen, .textSize = measured->textSize}, occupied.landed(), view.viewport());
+    if (line.label) occupied.reserve(*line.label);
+  }
 }
 
 void Placer::State::findVisible(const View& view, const ScopeVisibility* visibility, int framesOn) {
@@ -507,7 +520,7 @@ void Placer::State::placeOther(const Measured& measured, const View& view, doubl
   scopesInSight.clear();
   std::ranges::copy_if(measured.scopes, std::back_inserter(scopesInSight), [&](std::size_t scope) { return usable[scope] != 0; });
   History& history = past.histories[measured.parameter];
-  const OtherHandle handle{measured.parameter, parameters[measured.parameter], measured.annotation, scopesInSight, value, history};
+  const OtherHandle handle{measured.parameter, parameters[measured.parameter], measured.annotation, scopesInSight, value, history, firm && !showHidden};
   const OtherHandleContext context{view, occupied.padded(), occupied.landed(), scopes};
   PlacedHandle& placed = append(layout.others, spareHandles, measured.parameter);
   placed.parameter = measured.parameter;
