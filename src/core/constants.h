@@ -102,6 +102,8 @@ inline constexpr double kChangesOfReturn = 6.0;
 inline constexpr double kScoreTangle = -20.0 * kHandleSpacingPx;
 inline constexpr double kScoreNestedWrongly = -20.0 * kHandleSpacingPx;
 inline constexpr double kScoreInside = -40.0 * kHandleSpacingPx;
+/// What it costs a line inside the model to run across another's extension line, or through a label: more than staying is worth, since its other base lines are near by.
+inline constexpr double kScoreAmissInside = -22.0 * kHandleSpacingPx;
 /// Attempts at a moved frame, each about as long as placing it. More find more and cost more.
 inline constexpr int kMendingAttempts = 2;
 /// Moved frames after which any line may look for a better place, though nothing is amiss with it.

@@ -181,7 +181,11 @@ void Chooser::chooseInside(const CandidateContext& candidates, const ChoiceConte
   const Landed& landed = context.occupied.landed();
   candidates_.clear();
   for (const UsableBaseLine& base : bases_) gatherInsideCandidate(candidates, base, context.scopes[base.scope].box, candidates_);
-  const auto rank = [&](const Candidate& c) { return std::pair(!landed.runsInto(c.lineScreen), c.score); };
+  const auto rank = [&](const Candidate& c) {
+    const Landed::Crossings across = landed.crossings(c.baseScreen, c.baseScreen, c.lineScreen);
+    const double amiss = (across.extensions ? kScoreAmissInside : 0.0) + (across.labels ? kScoreAmissInside : 0.0);
+    return std::pair(!landed.runsInto(c.lineScreen), c.score + amiss);
+  };
   const auto best = std::ranges::max_element(candidates_, {}, rank);
   cramped_ = landed.runsInto(best->lineScreen);
   winner_ = *best;
