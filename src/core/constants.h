@@ -179,12 +179,11 @@ inline constexpr double kPlentySeenShare = 0.003;
 /// third to be shown again: behind leaves the share leaps from frame to frame.
 inline constexpr double kSeenShareToShow = 0.12;
 inline constexpr double kSeenShareToKeep = 0.06;
-inline constexpr double kSeenShareToShowAgain = 0.4;
+inline constexpr double kSeenShareToShowAgain = 0.5;
 
-/// What is left, a moved frame later, of the share that a scope counts as seen by; a scope that is all hidden is dropped after 8 frames at most. Behind leaves, and where
-/// a wall is seen at a grazing angle, a scope has few samples and a frame without any means little. Smaller: lines leave their features more often. Larger: a line
-/// stays long after its feature went out of sight.
-inline constexpr double kSightFading = 0.7;
+/// Moved frames on end in which too little of a scope is seen before it counts as hidden. Behind leaves, and where a wall is seen at a grazing angle, a scope has few
+/// samples and a frame without any means little. Fewer: lines leave their features more often. More: a line stays long after its feature went out of sight.
+inline constexpr int kFramesToLoseSight = 8;
 
 // --- Camera -----------------------------------------------------------------------------------------------------------
 

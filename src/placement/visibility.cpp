@@ -2,10 +2,8 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 #include "core/constants.h"
-#include "core/power.h"
 
 namespace dimline {
 
@@ -43,23 +41,22 @@ bool inView(const View& view, const Obb& box) {
 
 void Sight::age(int frames) {
   still_ = frames == 0;
-  recent_ *= frames == 1 ? kSightFading : power(kSightFading, frames);
+  newFrames_ = frames;
   const int direction = frames_ > 0 ? 1 : -1;
   if (frames_ != 0) frames_ = std::clamp(frames_ + direction * frames, -kReturnFrames, kReturnFrames);
 }
 
-double Sight::leastShare() const {
-  if (frames_ > 0) return frames_ < kReturnFrames ? 0.0 : kSeenShareToKeep;
-  return frames_ < 0 && -frames_ < kReturnFrames ? kSeenShareToShowAgain : kSeenShareToShow;
-}
-
 bool Sight::see(double share) {
-  if (still_ && share == share_) return frames_ > 0;
+  const bool shown = frames_ > 0;
+  if (still_ && share == share_) return shown;
   if (still_) age(kReturnFrames);
   share_ = share;
-  recent_ = std::max(share, recent_);
-  const bool seen = (frames_ > 0 ? recent_ : share) >= leastShare();
-  if (frames_ == 0 || seen != (frames_ > 0)) frames_ = seen ? 1 : -1;
+  const bool leftLately = frames_ < 0 && -frames_ < kReturnFrames;
+  const bool enough = share >= (shown ? kSeenShareToKeep : leftLately ? kSeenShareToShowAgain : kSeenShareToShow);
+  framesTooLittle_ = enough ? 0 : framesTooLittle_ + newFrames_;
+  const bool stays = shown && (frames_ < kReturnFrames || framesTooLittle_ < kFramesToLoseSight);
+  const bool seen = enough || stays;
+  if (frames_ == 0 || seen != shown) frames_ = seen ? 1 : -1;
   return seen;
 }
 

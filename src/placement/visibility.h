@@ -8,8 +8,8 @@ namespace dimline {
 bool inView(const View& view, const Obb& box);
 
 /// Whether a scope counts as seen, over frames. Leaves are gap and cover in turn, and what shows between them leaps from frame to frame: so what has come into
-/// sight stays there for kReturnFrames, then until it has been out of sight for some frames on end (kSightFading), and what has left it comes back within
-/// kReturnFrames only when plenty of it is seen.
+/// sight stays there for kReturnFrames, then until too little of it has been seen for kFramesToLoseSight on end, and what has left it comes back within kReturnFrames only
+/// when plenty of it is seen.
 /// Before a still camera it says the same again, unless another share is measured: the model has changed, or what was on its way has come. That counts at once.
 class Sight {
  public:
@@ -19,11 +19,10 @@ class Sight {
   bool see(double share);
 
  private:
-  [[nodiscard]] double leastShare() const;
-
   int frames_ = 0;        ///< since it came into sight, or, negative, since it left it; to kReturnFrames; 0 before the first
   bool still_ = false;    ///< the view is the last frame's
-  double recent_ = 0;     ///< the share that was seen in recent frames, fading
+  int newFrames_ = 0;     ///< of how many this one has the weight
+  int framesTooLittle_ = 0;   ///< on end, in which too little was seen
   double share_ = -1;     ///< of the last frame; negative before the first
 };
 

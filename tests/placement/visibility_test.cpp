@@ -1,7 +1,5 @@
 #include "placement/visibility.h"
 
-#include <cmath>
-
 #include <catch2/catch.hpp>
 
 #include "core/constants.h"
@@ -44,7 +42,7 @@ TEST_CASE("a frame in which nothing is seen of what was plainly seen means littl
   Sight sight = settled(true);
   REQUIRE(sight.see(0.6));
   for (int round = 0; round < 5; ++round) {
-    for (int frame = 0; frame < 3; ++frame) {
+    for (int frame = 1; frame < kFramesToLoseSight; ++frame) {
       sight.age(1);
       REQUIRE(sight.see(0.0));
     }
@@ -56,8 +54,7 @@ TEST_CASE("a frame in which nothing is seen of what was plainly seen means littl
     sight.age(1);
     ++frames;
   } while (sight.see(0.0) && frames < kReturnFrames);
-  // 0.6 fades to kSeenShareToKeep in so many frames.
-  CHECK(frames == static_cast<int>(std::ceil(std::log(kSeenShareToKeep / 0.6) / std::log(kSightFading) + 1e-9)));
+  CHECK(frames == kFramesToLoseSight);
 }
 
 TEST_CASE("what has just left comes back only when plenty is seen, and later as at first") {
