@@ -94,6 +94,8 @@ bool placeAt(Candidate& candidate, const Slide& slide, double offsetM, const Vie
 /// Scores the placed candidate and keeps it, when it is long enough.
 void keep(const CandidateContext& context, Candidate& candidate, std::vector<Candidate>& candidates) {
   if (candidate.lineScreen.length() < context.leastPx) return;
+  // Before a still camera it is the place itself that is looked for: the same identity may have others, on guides.
+  if (context.only != nullptr && !context.viewMoved && !context.history.stays(candidate.identity, away(candidate.baseScreen, candidate.lineScreen))) return;
   candidate.hysteresis = context.history.bonus(candidate.identity, away(candidate.baseScreen, candidate.lineScreen));
   candidate.score = score({.base = candidate.baseScreen,
                            .candidate = candidate.lineScreen,

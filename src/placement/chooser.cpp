@@ -127,15 +127,17 @@ Chooser::AmongOthers Chooser::amongOthers(const Candidate& candidate, const Choi
   return found;
 }
 
-/// What the extension lines of a chain's members run across; those at its ends are known to the score already.
-void Chooser::addMembers(AmongOthers& among, const ChoiceContext& context) {
+/// The extension lines of all that a candidate was expanded to.
+void Chooser::gatherExtensions() {
   extensions_.clear();
-  for (const ChosenLine& member : lines_) {
-    for (const Vec2 Segment2::*end : {&Segment2::start, &Segment2::end}) {
-      extensions_.push_back({member.footScreen.*end, member.lineScreen.*end});
-      if (member.footScreen.*end != member.baseScreen.*end) extensions_.push_back({member.baseScreen.*end, member.footScreen.*end});
-    }
+  for (const ChosenLine& line : lines_) {
+    const auto parts = extensionParts(line.baseScreen, line.footScreen, line.lineScreen);
+    extensions_.insert(extensions_.end(), parts.begin(), parts.end());
   }
+}
+
+/// What the extension lines of a chain's members run across; those at its ends are known to the score already.
+void Chooser::addMembers(AmongOthers& among, const ChoiceContext& context) const {
   const Landed::Crossings crossings = context.occupied.landed().extensionCrossings(extensions_);
   if (crossings.extensions && !among.landed.extensions) among.score += kScoreCrossesExtension;
   if (crossings.labels && !among.landed.labels) among.score += kScoreCoversLabel;
@@ -164,6 +166,7 @@ bool Chooser::chooseBest(const Measured& measured, const ChoiceContext& context)
     }
     // Its label may have pushed it to where it runs into more.
     if (candidate.lineScreen.start != triedAt.start) among = inPlace();
+    gatherExtensions();
     if (lines_.size() > 1) addMembers(among, context);
     if (beaten(among.score)) continue;
     found = true;
@@ -197,10 +200,7 @@ Chooser::Worth Chooser::worth(const Landed& landed) const {
   if (winner_.placement == PlacementKind::kInside) return {kScoreInside, {}, false};
   const Landed::Crossings& crossings = winnerAmongOthers_.landed;
   const bool nests = winnerAmongOthers_.nestsWithin;
-  const auto tangled = [&] {
-    return winnerLines_.size() > 1 ? landed.tangle(winner_.lineScreen, winnerExtensions_) : landed.tangle(winner_.baseScreen, winner_.footScreen, winner_.lineScreen);
-  };
-  const Landed::Tangle tangle = crossings.extensions ? tangled() : Landed::Tangle{};
+  const Landed::Tangle tangle = crossings.extensions ? landed.tangle(winner_.lineScreen, winnerExtensions_) : Landed::Tangle{};
   const double runsInto = (crossings.lines ? kScoreIntersect : 0.0) + (crossings.labels ? kScoreCoversLabel : 0.0) +
                           kScoreTangle * tangle.lines +
                           (nests ? kScoreNestedWrongly : 0.0);

@@ -71,7 +71,8 @@ class Chooser {
     bool nestsWithin = false;
   };
   [[nodiscard]] static AmongOthers amongOthers(const Candidate& candidate, const ChoiceContext& context, double enough);
-  void addMembers(AmongOthers& among, const ChoiceContext& context);
+  void gatherExtensions();
+  void addMembers(AmongOthers& among, const ChoiceContext& context) const;
   bool settle(Candidate& candidate, const Measured& measured, const ChoiceContext& context);
   bool expand(const Candidate& candidate, const Measured& measured, const ChoiceContext& context);
   bool expandChain(const Candidate& candidate, const Measured& measured, const ChoiceContext& context);
@@ -84,7 +85,7 @@ class Chooser {
   AmongOthers winnerAmongOthers_;           ///< of a winner outside
   std::vector<ChosenLine> winnerLines_;
   std::vector<ChosenLine> lines_;           ///< of the candidate that is looked at
-  std::vector<Segment2> extensions_;        ///< of the chain that is looked at: of all its members, in parts
+  std::vector<Segment2> extensions_;        ///< of the candidate that is looked at: of all its members, in parts
   std::vector<Segment2> winnerExtensions_;
   std::vector<UsableBaseLine> bases_;
   std::vector<UsableBaseLine> chainBases_;

@@ -4,8 +4,16 @@
 
 namespace dimline {
 
+namespace {
+
+/// px. What rounding alone may move.
+constexpr double kStillPx = 0.01;
+
+}  // namespace
+
 bool History::stays(const Identity& candidate, const Segment2& awayPx) const {
-  const auto leaps = [&](const Vec2& was, const Vec2& is) { return glm::length(is - was) > kLeapPx; };
+  const double mostPx = aged_ ? kLeapPx : kStillPx;
+  const auto leaps = [&](const Vec2& was, const Vec2& is) { return glm::length(is - was) > mostPx; };
   return candidate == last_ && !(awayPx_ && (leaps(awayPx_->start, awayPx.start) || leaps(awayPx_->end, awayPx.end)));
 }
 
@@ -25,6 +33,7 @@ double History::relaxedOffsetM(double leastM, double stepM) const {
 }
 
 void History::age() {
+  aged_ = true;
   framesHeld_ = std::min(framesHeld_ + 1, kReturnFrames);
   betterFrames_ = betterThere_ ? std::min(betterFrames_ + 1, kReturnFrames) : 0;
   betterThere_ = false;
@@ -33,6 +42,7 @@ void History::age() {
 
 void History::choose(const Identity& choice, double offsetM, const Segment2& awayPx) {
   awayPx_ = awayPx;
+  aged_ = false;
   hidden_ = false;
   offsetM_ = offsetM;
   if (choice == last_) return;

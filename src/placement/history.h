@@ -25,7 +25,8 @@ class History {
   /// The last frame's choice has none when it would jump: from `awayPx` off its base line then to elsewhere now, by more than kLeapPx.
   [[nodiscard]] double bonus(const Identity& candidate, const Segment2& awayPx = {}) const;
 
-  /// Whether a candidate is the last frame's choice and has not leapt: its line lies `awayPx` off its base line on screen, within kLeapPx of where it did.
+  /// Whether a candidate is the last frame's choice and has not leapt: its line lies `awayPx` off its base line on screen, within kLeapPx of where it did. Before a still
+  /// camera it lies exactly there.
   [[nodiscard]] bool stays(const Identity& candidate, const Segment2& awayPx) const;
 
   /// Whether it was left for another within the last kReturnFrames.
@@ -78,6 +79,7 @@ class History {
   bool betterThere_ = false;          ///< in this frame
   int betterFrames_ = 0;              ///< moved frames on end before this one
   std::optional<Segment2> awayPx_;    ///< of the last choice from its base line; nothing when the model has changed since
+  bool aged_ = false;                 ///< since the last choice
   double offsetM_ = -1;               ///< of the last choice; negative when it is not known
   std::array<Left, kReturnFrames> left_;   ///< what was left of late
 };

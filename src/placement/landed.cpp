@@ -1,7 +1,6 @@
 #include "placement/landed.h"
 
 #include <algorithm>
-#include <array>
 #include <span>
 
 namespace dimline {
@@ -21,11 +20,6 @@ bool lieOnEachOther(const Segment2& a, const Segment2& b) {
   if (aside(b.start) > kSameLinePx || aside(b.end) > kSameLinePx) return false;
   const auto [from, to] = std::minmax({glm::dot(b.start - a.start, along), glm::dot(b.end - a.start, along)});
   return std::min(to, length) - std::max(from, 0.0) > kExtensionClearancePx;
-}
-
-/// A line and its extension lines. A foot that is the base line's own end makes a part of no length, which crosses nothing.
-std::array<Segment2, 5> partsOf(const Segment2& base, const Segment2& foot, const Segment2& line) {
-  return {line, Segment2{foot.start, line.start}, Segment2{foot.end, line.end}, Segment2{base.start, foot.start}, Segment2{base.end, foot.end}};
 }
 
 }  // namespace
@@ -79,22 +73,17 @@ void Landed::add(const PlacedHandle& handle, const View& view) {
 }
 
 Landed::Crossings Landed::crossings(const Segment2& base, const Segment2& foot, const Segment2& line) const {
-  const auto parts = partsOf(base, foot, line);
   Crossings found;
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    const Segment2& part = parts[i];
+  const auto add = [&](const Segment2& part, bool isLine) {
     const bool overLine = std::ranges::any_of(lines_, [&](const Line& l) { return segmentsCross(part, l.segment, kCrossingPx); });
     const bool overExtension = std::ranges::any_of(extensions_, [&](const Extension& e) { return segmentsCross(part, e.segment, kCrossingPx); });
     found.lines = found.lines || overLine || overExtension;
-    found.extensions = found.extensions || (i == 0 ? overExtension : overLine);
+    found.extensions = found.extensions || (isLine ? overExtension : overLine);
     found.labels = found.labels || std::ranges::any_of(labels_, [&](const Box2& label) { return meets(part, label); });
-  }
+  };
+  add(line, true);
+  for (const Segment2& part : extensionParts(base, foot, line)) add(part, false);
   return found;
-}
-
-Landed::Tangle Landed::tangle(const Segment2& base, const Segment2& foot, const Segment2& line) const {
-  const auto parts = partsOf(base, foot, line);
-  return tangle(line, std::span(parts).subspan(1));
 }
 
 Landed::Tangle Landed::tangle(const Segment2& line, std::span<const Segment2> extensions) const {

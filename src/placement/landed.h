@@ -1,11 +1,18 @@
 #pragma once
 
+#include <array>
 #include <span>
 #include <vector>
 
 #include "placement/layout.h"
 
 namespace dimline {
+
+/// The extension lines of a line, from its base line by way of its foot on the plane, in parts. A foot that is the base line's own end makes a part of no length, which crosses
+/// nothing.
+inline std::array<Segment2, 4> extensionParts(const Segment2& base, const Segment2& foot, const Segment2& line) {
+  return {Segment2{foot.start, line.start}, Segment2{foot.end, line.end}, Segment2{base.start, foot.start}, Segment2{base.end, foot.end}};
+}
 
 /// What has been placed so far in this frame, as it lies on screen: the exact side of what the fields know by strips. Answers the score's Intersect term,
 /// whether a label has room, and whether a line may lie on a guide.
@@ -40,8 +47,7 @@ class Landed {
     int lines = 0;           ///< how many
     int parameter = -1;      ///< whose line, or extension line, is in it with this one; -1 without one, and for a handle that is no line
   };
-  [[nodiscard]] Tangle tangle(const Segment2& base, const Segment2& foot, const Segment2& line) const;
-  /// The same for a chain: `line` from its one end to the other, and the extension lines of all its members.
+  /// `line`: a line, or a chain from its one end to the other. `extensions`: its extension lines in parts, or those of all its members.
   [[nodiscard]] Tangle tangle(const Segment2& line, std::span<const Segment2> extensions) const;
   /// Whether one of these runs across a line that has landed, or through a label.
   [[nodiscard]] Crossings extensionCrossings(std::span<const Segment2> extensions) const;

@@ -60,6 +60,10 @@ TEST_CASE("a line that would leap has no reason to stay") {
   History history(3);
   const Segment2 then{{0, -30}, {0, -30}};
   history.choose(side(0), 1.0, then);
+  CHECK(history.stays(side(0), then));
+  CHECK_FALSE(history.stays(side(0), {{0, -30}, {0, -31}}));     // before a still camera it lies exactly where it did
+  history.age();
+  CHECK(history.stays(side(0), {{0, -30}, {0, -31}}));
   CHECK(history.bonus(side(0), then) == kScoreStay);
   CHECK(history.bonus(side(0), {{0, -30}, {0, -30 - kLeapPx + 1}}) == kScoreStay);
   CHECK(history.bonus(side(0), {{0, -30}, {0, -30 - kLeapPx - 1}}) == 0.0);   // one end is enough
@@ -80,6 +84,29 @@ TEST_CASE("how long a choice is held, and whether there was one, is remembered")
   CHECK(history.hidden());
   history.choose(side(1), 1.0);
   CHECK_FALSE(history.hidden());
+}
+
+TEST_CASE("a choice that was found better than another is held from then on") {
+  History history(3);
+  history.choose(side(0), 1.0);
+  for (int i = 0; i < 3; ++i) history.age();
+  history.choose(side(0), 1.0);
+  history.prefer();
+  CHECK(history.framesHeld() == 0);
+}
+
+TEST_CASE("a better kind of place must have been there for some moved frames on end") {
+  History history(3);
+  for (int i = 0; i < kPatienceFrames; ++i) {
+    history.age();
+    CHECK_FALSE(history.betterIsThere());
+    CHECK_FALSE(history.betterIsThere());   // to be asked again in the same frame says nothing new
+  }
+  history.age();
+  CHECK(history.betterIsThere());
+  history.age();                            // a frame without
+  history.age();
+  CHECK_FALSE(history.betterIsThere());
 }
 
 TEST_CASE("chains that are remembered get the numbers of another model, and those that are gone are forgotten") {

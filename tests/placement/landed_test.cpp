@@ -18,6 +18,8 @@ Landed withShortLine() {
   return landed;
 }
 
+Landed::Tangle tangle(const Landed& landed, const Segment2& base, const Segment2& line) { return landed.tangle(line, extensionParts(base, base, line)); }
+
 }  // namespace
 
 TEST_CASE("a line nests within one that has landed when it is nearer to the model, beside it on the same side") {
@@ -56,27 +58,27 @@ TEST_CASE("a tangle counts the lines across extension lines, this one and those 
   landed.add(line, -1);
 
   const Segment2 beside{{300, 100}, {400, 100}};
-  CHECK(landed.tangle(beside, beside, {{300, 20}, {400, 20}}).lines == 0);
-  CHECK(landed.tangle(beside, beside, {{300, 20}, {400, 20}}).parameter == -1);
+  CHECK(tangle(landed, beside, {{300, 20}, {400, 20}}).lines == 0);
+  CHECK(tangle(landed, beside, {{300, 20}, {400, 20}}).parameter == -1);
 
   // From x = 150 to 300: farther out its extension line crosses the landed line, nearer it runs across the landed one's extension line.
   const Segment2 overlapping{{150, 100}, {300, 100}};
-  const Landed::Tangle farther = landed.tangle(overlapping, overlapping, {{150, 10}, {300, 10}});
+  const Landed::Tangle farther = tangle(landed, overlapping, {{150, 10}, {300, 10}});
   CHECK(farther.lines == 1);
   CHECK(farther.parameter == 5);
-  const Landed::Tangle nearer = landed.tangle(overlapping, overlapping, {{150, 70}, {300, 70}});
+  const Landed::Tangle nearer = tangle(landed, overlapping, {{150, 70}, {300, 70}});
   CHECK(nearer.lines == 1);
   CHECK(nearer.parameter == 5);
 
   // Two extension lines that cross each other are no tangle.
   const Segment2 crossing{{50, 50}, {50, 200}};
-  CHECK(landed.tangle(crossing, crossing, {{80, 50}, {80, 200}}).lines == 0);
+  CHECK(tangle(landed, crossing, {{80, 50}, {80, 200}}).lines == 0);
 
   PlacedLine second = line;
   second.parameter = 6;
   second.lineScreen = {{100, 20}, {200, 20}};
   landed.add(second, -1);
-  CHECK(landed.tangle(overlapping, overlapping, {{150, 0}, {300, 0}}).lines == 2);   // its extension line runs across both
+  CHECK(tangle(landed, overlapping, {{150, 0}, {300, 0}}).lines == 2);   // its extension line runs across both
 }
 
 TEST_CASE("of a chain, all members' extension lines count") {

@@ -61,7 +61,7 @@ TEST_CASE("the least shift of a box out of the model, worked out by hand") {
 }
 
 TEST_CASE("a switch stands 30 px above the middle of the face its orientation names") {
-  const FrontOfBox stage;
+  FrontOfBox stage;
   const Parameter parameter{.name = "Attic", .title = "Attic", .type = ParameterType::kBool};
   const Annotation annotation = annotated(HandleType::kBoolean, Orient::kUp, Slip::kScope);
   PlacedHandle placed;
@@ -76,7 +76,7 @@ TEST_CASE("a switch stands 30 px above the middle of the face its orientation na
 }
 
 TEST_CASE("an alignment moves a pill to the wanted side") {
-  const FrontOfBox stage;
+  FrontOfBox stage;
   const Parameter parameter{.name = "Attic", .title = "Attic", .type = ParameterType::kBool};
   Annotation annotation = annotated(HandleType::kBoolean, Orient::kUp, Slip::kScope);
   annotation.align = Align::kTopRight;
@@ -87,7 +87,7 @@ TEST_CASE("an alignment moves a pill to the wanted side") {
 }
 
 TEST_CASE("with slip none a pill stays at its anchor") {
-  const FrontOfBox stage;
+  FrontOfBox stage;
   const Parameter parameter{.name = "Attic", .title = "Attic", .type = ParameterType::kBool};
   const Annotation annotation = annotated(HandleType::kBoolean, Orient::kUp, Slip::kNone);
   PlacedHandle placed;
@@ -97,7 +97,7 @@ TEST_CASE("with slip none a pill stays at its anchor") {
 }
 
 TEST_CASE("a range offers its choices in a column, one for each") {
-  const FrontOfBox stage;
+  FrontOfBox stage;
   const Parameter parameter{.name = "Roof", .title = "Roof", .type = ParameterType::kChoice, .max = 2, .choices = {"gable", "hip", "flat"}};
   const Annotation annotation = annotated(HandleType::kRange, Orient::kUp, Slip::kScope);
   PlacedHandle placed;
@@ -124,6 +124,36 @@ TEST_CASE("pills keep clear of what has landed") {
   CHECK_FALSE(second.box.grown(kLabelClearancePx - 0.01).overlaps(first.box));
 }
 
+TEST_CASE("a pill that was hidden or inside waits until a better kind of place has been there for a while") {
+  FrontOfBox stage;
+  const Parameter parameter{.name = "Attic", .title = "Attic", .type = ParameterType::kBool};
+  const Annotation outside = annotated(HandleType::kBoolean, Orient::kUp, Slip::kBillboard);
+  const Annotation inside = annotated(HandleType::kBoolean, Orient::kUp, Slip::kNone);
+  History history{0};
+  PlacedHandle placed;
+  const auto place = [&](const Annotation& annotation, bool firm) {
+    const auto missing = placePill({0, parameter, annotation, stage.scopes, 1, history, firm}, stage.context(), placed);
+    missing ? history.choseNone() : history.choose(placed.identity, -1);
+    return missing;
+  };
+  history.choseNone();
+  for (int frame = 0; frame < kPatienceFrames; ++frame) {
+    history.age();
+    REQUIRE(place(outside, true) == HiddenReason::kCrowded);
+  }
+  history.age();
+  REQUIRE_FALSE(place(outside, true));
+  CHECK(placed.placement == PlacementKind::kOutside);
+
+  history = History(0);
+  REQUIRE_FALSE(place(inside, true));
+  history.age();
+  REQUIRE_FALSE(place(outside, true));
+  CHECK(placed.placement == PlacementKind::kInside);
+  REQUIRE_FALSE(place(outside, false));   // after an edit nothing waits
+  CHECK(placed.placement == PlacementKind::kOutside);
+}
+
 TEST_CASE("an arc begins on the axis after its own and turns towards the next, about the scope's origin") {
   const Arc arc = arcAt(annotated(HandleType::kAngular, Orient::kFront, Slip::kNone), boxAt({1, 2, 3}, {4, 5, 6}), 0.5, 0.1, 100);
   CHECK(arc.center == Vec3(1, 2, 3));
@@ -136,7 +166,7 @@ TEST_CASE("an arc begins on the axis after its own and turns towards the next, a
 }
 
 TEST_CASE("an angular handle with slip none stays in its scope's frame, another moves outside") {
-  const FrontOfBox stage;
+  FrontOfBox stage;
   const Parameter parameter{.name = "Pitch", .title = "Pitch", .type = ParameterType::kAngle, .unit = Unit::kDegree, .max = 90};
   PlacedHandle placed;
   const Annotation still = annotated(HandleType::kAngular, Orient::kFront, Slip::kNone);
@@ -154,7 +184,7 @@ TEST_CASE("an angular handle with slip none stays in its scope's frame, another 
 }
 
 TEST_CASE("an arc seen edge-on is not shown") {
-  const FrontOfBox stage;
+  FrontOfBox stage;
   const Parameter parameter{.name = "Pitch", .title = "Pitch", .type = ParameterType::kAngle, .unit = Unit::kDegree, .max = 90};
   const Annotation edgeOn = annotated(HandleType::kAngular, Orient::kRight, Slip::kNone);
   PlacedHandle placed;
