@@ -243,7 +243,8 @@ export class Core {
   attachContext(gl) {
     this.detachContext();
     const { GL } = this.#module;
-    this.#contextHandle = GL.registerContext(gl, { majorVersion: 2, minorVersion: 0 });
+    // The renderer needs nothing beyond WebGL 2. Emscripten would switch on every extension that it has heard of, and wait for the driver at each.
+    this.#contextHandle = GL.registerContext(gl, { majorVersion: 2, minorVersion: 0, enableExtensionsByDefault: false });
     GL.makeContextCurrent(this.#contextHandle);
     const sentence = this.#editor.attachContext(this.#contextHandle);
     if (sentence) this.#forgetContext();

@@ -28,13 +28,10 @@ class GlContext {
   [[nodiscard]] bool software() const { return software_; }
   [[nodiscard]] int maxTextureSize() const { return maxTextureSize_; }
   [[nodiscard]] int maxSamples() const { return maxSamples_; }
-  /// Whether GL_RGBA16F can be rendered to.
-  [[nodiscard]] bool rendersHalfFloat() const { return rendersHalfFloat_; }
 
  private:
   bool lost_ = false;
   bool software_ = false;
-  bool rendersHalfFloat_ = false;
   int maxTextureSize_ = 2048;
   int maxSamples_ = 1;
   std::string rendererName_;
