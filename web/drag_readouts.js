@@ -10,6 +10,7 @@ const kClearFingerPx = 56;
 const kLeastClearMousePx = 14;
 const kLeastClearFingerPx = 40;
 const kFartherPx = [0, 32, 72]; // than that, where all near places are taken
+const kFarFromFingerPx = [130, 210];
 
 const kNudgeMs = 12; // a phone's buzz where a limit is reached
 
@@ -85,11 +86,13 @@ class DragReadout {
   }
 }
 
-// Above a finger, else beside it; below it is the hand.
+// Above a finger, else beside it; below it is the hand. A phone's picture may have no other room than at its upper or lower edge, where the picture's edge
+// holds it.
 function sidesOfFinger() {
   const above = [[0, -1], [-0.8, -0.6], [0.8, -0.6]];
   const beside = [[-1, 0], [1, 0], [0, 1]];
-  return [...kFartherPx.flatMap((farther) => above.map(([sx, sy]) => [sx, sy, farther])), ...beside.map(([sx, sy]) => [sx, sy, 0])];
+  const near = [...kFartherPx.flatMap((farther) => above.map(([sx, sy]) => [sx, sy, farther])), ...beside.map(([sx, sy]) => [sx, sy, 0])];
+  return [...near, ...kFarFromFingerPx.flatMap((farther) => [[0, -1, farther], [0, 1, farther]])];
 }
 
 export class DragReadouts {

@@ -298,6 +298,11 @@ canvas[data-ring] + .ring { opacity: 1; }
 @media (pointer: coarse) {
   .readout { padding: 7px 12px 8px; border-radius: 7px; font-size: 15px; line-height: 18px; }
 }
+/* In a narrow picture a short box finds a place where a long one would not. */
+@media (max-width: 479px) {
+  .readout div:has(b:not(:empty)) { display: grid; grid-template-columns: repeat(3, auto); justify-content: start; gap: 2px 8px; }
+  .readout div:has(b:not(:empty)) .title { grid-column: 1 / -1; }
+}
 
 .message {
   position: absolute;

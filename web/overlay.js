@@ -113,7 +113,7 @@ export class Overlay {
     if (dragged) this.#readout.silence();
     const cost = (box) => core.coverCost(box);
     this.#dragReadouts.update(gestures.map((gesture) => this.#named(gesture)), cost);
-    this.#readout.update(dragged || this.#field.complains ? "" : name, input.last, focused?.box, cost);
+    this.#readout.update(dragged || this.#field.complains ? "" : name, input.last, focused && (this.#field.box ?? focused.box), cost);
     // Where the Tab key goes is a matter of the picture at rest: nothing changes places under a finger.
     if (!rests || input.active) return;
     arrange(this.#handles, readingOrder([...this.#labels.stops(), ...this.#pills.stops()]));

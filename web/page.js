@@ -104,6 +104,7 @@ function showDocument() {
   showValues(false);
   showProjection();
   showMore();
+  byId("parameters").parentElement.scrollTop = 0; // what was scrolled to was the last model's
 }
 
 // Which lines there are beyond those that the picture needs. A model without measures needs no button for them.

@@ -22,6 +22,7 @@ export class ValueField {
   #name = null; // of the parameter that is edited; null while there is no field
   #start = ""; // the text that stands for the present value
   #centre = [0, 0];
+  #at = [0, 0]; // its corner
   #opened = { ms: -Infinity, x: 0, y: 0 };
   #style = "";
 
@@ -68,6 +69,13 @@ export class ValueField {
   /** The name of the parameter that is being typed, or null. */
   get name() {
     return this.#name;
+  }
+
+  /** What it covers of the picture, [x0, y0, x1, y1]; null while there is no field. */
+  get box() {
+    if (this.#name === null) return null;
+    const [x, y] = this.#at;
+    return [x, y, x + this.#node.offsetWidth, y + this.#node.offsetHeight];
   }
 
   /** Whether a sentence beside it says what is wrong. */
@@ -133,6 +141,7 @@ export class ValueField {
     const { offsetWidth: noteWidth, offsetHeight: noteHeight } = this.#note;
     const above = y + height + noteHeight + 2 * kMarginPx > stageHeight;
     const shift = within(x + width / 2, noteWidth, stageWidth) - x;
+    this.#at = [x, y];
     const style = `${x} ${y} ${above} ${shift}`;
     if (style === this.#style) return;
     this.#style = style;

@@ -1,7 +1,7 @@
 // Choosing a model: the menu with a picture of each, and the address that remembers it.
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
-import { call, launch, openPage, pageUrl, ready, screenshot, settle } from "./support/page.mjs";
+import { call, launch, openPage, pageUrl, ready, screenshot, settle, showModel } from "./support/page.mjs";
 
 let browser;
 before(async () => {
@@ -39,6 +39,16 @@ test("the menu shows every model with its picture and its name, the present one 
   await dialog(page).waitFor({ state: "hidden" });
   assert.equal(await modelOf(page), "house");
   assert.deepEqual(complaints, []);
+  await close();
+});
+
+test("the panel of another model begins at its top", async () => {
+  const { page, close } = await openPage(browser, { drawn: false });
+  const scroller = page.locator("#panel .scroller");
+  await scroller.evaluate((node) => (node.scrollTop = 200));
+  await showModel(page, "boat");
+  assert.ok(await scroller.evaluate((node) => node.scrollHeight > node.clientHeight + 200), "this panel cannot be scrolled");
+  assert.equal(await scroller.evaluate((node) => node.scrollTop), 0);
   await close();
 });
 

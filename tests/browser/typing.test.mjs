@@ -240,7 +240,11 @@ test("under a finger the field is large enough, and asks for a keyboard with num
   await settle(phone);
   const input = inside(phone, ".value-field input");
   assert.equal(await input.getAttribute("inputmode"), "decimal");
-  assert.ok((await inside(phone, ".value-field").boundingBox()).height >= 40);
+  const field = await inside(phone, ".value-field").boundingBox();
+  assert.ok(field.height >= 40);
+  const name = await inside(phone, ".readout[data-shown]").boundingBox();
+  const apart = Math.max(field.x - name.x - name.width, name.x - field.x - field.width, field.y - name.y - name.height, name.y - field.y - field.height);
+  assert.ok(apart >= 6, `the name stands ${apart} px from the field`);
   assert.ok((await input.evaluate((node) => parseFloat(getComputedStyle(node).fontSize))) >= 16, "the phone zooms into the field");
   assert.equal(await input.evaluate((node) => node.value.slice(node.selectionStart, node.selectionEnd)), await input.inputValue());
   await screenshot(phone, "typing-on-a-phone");
