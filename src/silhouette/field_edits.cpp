@@ -73,6 +73,10 @@ struct Shape {
 
   [[nodiscard]] double firstAlong() const { return low.firstAlong - low.radius; }
   [[nodiscard]] double lastAlong() const { return low.lastAlong + low.radius; }
+  /// No part of it lies outside this across.
+  [[nodiscard]] Interval across() const {
+    return {std::min(low.firstAcross, low.lastAcross) - low.radius, std::max(high.firstAcross, high.lastAcross) + high.radius};
+  }
 };
 
 struct Place {
@@ -123,6 +127,10 @@ public:
     const double last = std::clamp(std::ceil(shape.lastAlong()) - 1, first, strips - 1);
     std::size_t strip = static_cast<std::size_t>(first);
     const auto end = static_cast<std::size_t>(last) + 1;
+    const auto [lowest, highest] = shape.across();
+    editsLow_ = reaches(lowField_, strip, end - 1, lowest);
+    editsHigh_ = reaches(highField_, strip, end - 1, extentPx_ - highest);
+    if (!editsLow_ && !editsHigh_) return;
     // Where both boundaries are straight and inside the viewport over a run of strips, four are done at a time.
     const Interval plain = plainStrips(shape);
     const auto plainFirst = static_cast<std::size_t>(std::clamp(std::ceil(plain.low), first, last + 1));
@@ -131,11 +139,17 @@ public:
     for (; strip < plainFirst; ++strip) one(shape, strip);
     for (; strip + 4 <= plainEnd; strip += 4) four(shape, strip);
     for (; strip < end; ++strip) one(shape, strip);
-    lowField_.mendTree(static_cast<std::size_t>(first), end - 1);
-    highField_.mendTree(static_cast<std::size_t>(first), end - 1);
+    if (editsLow_) lowField_.mendTree(static_cast<std::size_t>(first), end - 1);
+    if (editsHigh_) highField_.mendTree(static_cast<std::size_t>(first), end - 1);
   }
 
 private:
+  /// Whether a shape that comes as near to the viewport edge as `nearest` can pull in a strip. Most of what lands lies behind something that has landed: an extension line
+  /// behind its own line, a chain's member beside the others.
+  static bool reaches(const DistanceField& field, std::size_t first, std::size_t last, double nearest) {
+    return field.max(first, last) > static_cast<float>(std::max(0.0, nearest));
+  }
+
   /// The places along between which both boundaries are straight and the shape is inside the viewport across.
   [[nodiscard]] Interval plainStrips(const Shape& shape) const {
     Interval plain{std::max(shape.low.straight.from, shape.high.straight.from),
@@ -161,10 +175,9 @@ private:
     const double high = shape.high.over(static_cast<double>(strip));
     // The shape is connected over a strip, so it is seen there when its interval meets [0, extent].
     if (high < 0 || low > extentPx_) return;
-    float& lowValue = lowField_.edit()[strip];
-    float& highValue = highField_.edit()[strip];
-    lowValue = std::min(lowValue, static_cast<float>(std::max(0.0, low)));
-    highValue = std::min(highValue, static_cast<float>(std::max(0.0, extentPx_ - high)));
+    const auto pull = [](float& value, double to) { value = std::min(value, static_cast<float>(std::max(0.0, to))); };
+    if (editsLow_) pull(lowField_.edit()[strip], low);
+    if (editsHigh_) pull(highField_.edit()[strip], extentPx_ - high);
   }
 
   void four(const Shape& shape, std::size_t strip) {
@@ -176,13 +189,15 @@ private:
     float* low = lowField_.edit().data() + strip;
     float* high = highField_.edit().data() + strip;
     const Float4 zero = splat4(0.0F);
-    store4(low, min4(load4(low), max4(values(shape.low.straight, -1), zero)));
-    store4(high, min4(load4(high), max4(static_cast<float>(extentPx_) - values(shape.high.straight, +1), zero)));
+    if (editsLow_) store4(low, min4(load4(low), max4(values(shape.low.straight, -1), zero)));
+    if (editsHigh_) store4(high, min4(load4(high), max4(static_cast<float>(extentPx_) - values(shape.high.straight, +1), zero)));
   }
 
   DistanceField& lowField_;
   DistanceField& highField_;
   double extentPx_;
+  bool editsLow_ = true;    ///< whether the shape at hand can pull in that field
+  bool editsHigh_ = true;
 };
 
 }  // namespace
