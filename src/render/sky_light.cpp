@@ -25,7 +25,8 @@ struct Fineness {
   int ground;
 };
 constexpr Fineness fineness(LightDetail detail) {
-  return detail == LightDetail::kFine ? Fineness{32, 48, 128, 512} : Fineness{16, 28, 64, 256};
+  // The directions cost the most: a map of all of the model each.
+  return detail == LightDetail::kFine ? Fineness{32, 48, 128, 512} : Fineness{detail == LightDetail::kRough ? 6U : 16U, 28, 64, 256};
 }
 
 /// Of the ground's map of the sky; it is blurred by them.
@@ -107,7 +108,7 @@ Status SkyLight::prepare() {
 Result<LightDetail> SkyLight::bake(const GpuScene& scene, const SunShadow& shadow, const Vec3& towardsSun, LightDetail detail) {
   const Bounds& bounds = scene.bounds();
   if (bounds.empty()) return detail;
-  if (detail == LightDetail::kStretched && !alike(bounds.size(), skyOf_)) detail = LightDetail::kCoarse;
+  if (detail == LightDetail::kStretched && !alike(bounds.size(), skyOf_)) detail = LightDetail::kRough;
   const bool stretch = detail == LightDetail::kStretched;
   if (!stretch) {
     drawAtlas(scene, detail);

@@ -17,6 +17,7 @@ namespace dimline {
 /// How finely light that depends only on the model is worked out.
 enum class LightDetail : std::uint8_t {
   kStretched,   ///< sky light of the model before, stretched to this one's box, for one that changes from frame to frame on a slow machine
+  kRough,       ///< for a moment, where a slow machine has nothing to stretch
   kCoarse,
   kFine
 };
@@ -31,7 +32,7 @@ class SkyLight {
   explicit SkyLight(const GlContext& context);
   Status prepare();
 
-  /// Works out the light, and gives how finely: coarse where it should be stretched and the two models are too different. `shadow` must have been rendered
+  /// Works out the light, and gives how finely: roughly where it should be stretched and the two models are too different. `shadow` must have been rendered
   /// for this scene and sun.
   Result<LightDetail> bake(const GpuScene& scene, const SunShadow& shadow, const Vec3& towardsSun, LightDetail detail);
 

@@ -378,6 +378,25 @@ TEST_CASE("coarse light is hardly told from fine light, and is never kept where 
   CHECK(meanDifference(fine, fixture.draw(view)) == 0);
 }
 
+TEST_CASE("a reduced picture of a model that nothing is known of has rough light, and the full one after it has not") {
+  const Scene scene = test::villageScene();
+  const View view = viewOf(scene, 30, 18);
+  PictureFixture fixture;
+  fixture.options.light = LightDetail::kCoarse;
+  fixture.setScene(scene);
+  const Picture expected = fixture.draw(view);
+  fixture.options.quality = RenderQuality::kReduced;
+  const double reducedAlone = meanDifference(fixture.draw(viewOf(scene, 30.001, 18)), expected);
+  fixture.setScene(boxOnGround());   // of another shape: its light cannot be stretched to the village
+  fixture.draw(viewOf(boxOnGround(), 30, 18));
+  fixture.setScene(scene);
+  const double rough = meanDifference(fixture.draw(view), expected);
+  CHECK(rough > 2 * reducedAlone);
+  CHECK(rough < reducedAlone + 2);
+  fixture.options.quality = RenderQuality::kFull;
+  CHECK(meanDifference(fixture.draw(view), expected) == 0);
+}
+
 TEST_CASE("after its context is lost a renderer goes without a GL call, and the next one draws the same") {
   PictureFixture fixture;
   const Scene scene = boxOnGround();
