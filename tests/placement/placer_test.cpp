@@ -49,6 +49,42 @@ std::vector<Camera> cameras(const Vec3& target, double distanceM) {
   return all;
 }
 
+struct WallPlan {
+  double heightM;
+  double plateM;            ///< of the plate over the wall's foot
+  double baysM;             ///< of the bays
+  std::string plateAlign;
+};
+
+/// A wall seen from the front with a chain of three bays, and a plate whose line, when both lie below, is run across by the extension lines between the bays.
+ModelDefinition wallWithPlateAndBays(const WallPlan& plan) {
+  ModelDefinition definition;
+  definition.name = "wall";
+  definition.title = "Wall";
+  const auto length = [&](const char* name, double value, const std::string& annotation) {
+    definition.parameters.push_back(
+        {.name = name, .title = name, .unit = Unit::kMetre, .defaultValue = value, .min = 0.5, .max = 5, .step = 0.1, .annotation = annotation});
+  };
+  length("Plate", 1, "@Handle(scope=Plate, type=linear-center, orient=right, slip=scope, align=" + plan.plateAlign + ")");
+  length("Bay", 3, "@Handle(scope=Bay, type=linear-contour, orient=right, slip=scope, chained)");
+  definition.build = [plan](const Values& v) {
+    const double bay = v.at(1);
+    Scene scene = sceneOf({{"Wall", boxAt({-5, 0, -1}, {10, plan.heightM, 1})}, {"Plate", boxAt({1, plan.plateM, 0}, {v.at(0), 0.2, 0.05})}});
+    for (std::uint32_t i = 0; i < 3; ++i) scene.scopes.push_back({"Bay", i, boxAt({-1.5 * bay + i * bay, plan.baysM, 0}, {bay, 1, 0.05})});
+    return scene;
+  };
+  return definition;
+}
+
+/// At 50 px a metre, horizontally at a height.
+Camera straightAt(double heightM) {
+  Camera camera;
+  camera.eye = {0, heightM, 30};
+  camera.target = {0, heightM, 0};
+  camera.orthoHeightM = 20;
+  return camera;
+}
+
 }  // namespace
 
 TEST_CASE("on orbits, every line keeps handleSpacing from the model, and labels do not touch it") {
@@ -190,28 +226,8 @@ TEST_CASE("a lone box seen orthographically from the front: the width line lies 
 }
 
 TEST_CASE("a chain keeps clear of a line that the extension lines of its inner members would run across") {
-  // Three bays on the front of a wall, nearer to its foot than to its top; and a plate whose line lies below, between the chain's ends.
-  ModelDefinition definition;
-  definition.name = "wall";
-  definition.title = "Wall";
-  const auto length = [&](const char* name, double value, const char* annotation) {
-    definition.parameters.push_back(
-        {.name = name, .title = name, .unit = Unit::kMetre, .defaultValue = value, .min = 0.5, .max = 5, .step = 0.1, .annotation = annotation});
-  };
-  length("Plate", 1, "@Handle(scope=Plate, type=linear-center, orient=right, slip=scope, align=bottom)");
-  length("Bay", 3, "@Handle(scope=Bay, type=linear-contour, orient=right, slip=scope, chained)");
-  definition.build = [](const Values& v) {
-    const double bay = v.at(1);
-    Scene scene = sceneOf({{"Wall", boxAt({-5, 0, -1}, {10, 6, 1})}, {"Plate", boxAt({1, 1, 0}, {v.at(0), 0.2, 0.05})}});
-    for (std::uint32_t i = 0; i < 3; ++i) scene.scopes.push_back({"Bay", i, boxAt({-1.5 * bay + i * bay, 1.5, 0}, {bay, 1, 0.05})});
-    return scene;
-  };
-  Stage stage(std::move(definition));
-  Camera camera;
-  camera.eye = {0, 3, 30};
-  camera.target = {0, 3, 0};
-  camera.orthoHeightM = 20;
-  const Layout& layout = stage.look(camera);
+  Stage stage(wallWithPlateAndBays({.heightM = 6, .plateM = 1, .baysM = 1.5, .plateAlign = "bottom"}));
+  const Layout& layout = stage.look(straightAt(3));
   const PlacedLine* plate = stage.find("Plate");
   const PlacedLine* bay = stage.find("Bay");
   REQUIRE(plate != nullptr);
@@ -219,6 +235,22 @@ TEST_CASE("a chain keeps clear of a line that the extension lines of its inner m
   REQUIRE(std::ranges::count(layout.lines, bay->chain, &PlacedLine::chain) == 3);
   CHECK(plate->lineScreen.start.y > 650);   // the wall covers y from 350 to 650
   CHECK(bay->lineScreen.start.y < 350);
+}
+
+TEST_CASE("a line that another had to run into gives way in the next frames") {
+  // The plate's way down is the shorter one by a little, the bays' by so much that they rather run across the plate's line; which could as well lie above.
+  Stage stage(wallWithPlateAndBays({.heightM = 12, .plateM = 5.8, .baysM = 0.5, .plateAlign = "none"}));
+  const auto isAbove = [&](const char* name) { return stage.find(name)->lineScreen.start.y < 200; };   // the wall covers y from 200 to 800
+  stage.look(straightAt(6));
+  REQUIRE_FALSE(isAbove("Plate"));
+  REQUIRE_FALSE(isAbove("Bay"));
+  for (int frame = 1; frame <= 3; ++frame) stage.look(straightAt(6 + 1e-4 * frame));
+  CHECK(isAbove("Plate"));
+  CHECK_FALSE(isAbove("Bay"));
+  for (int frame = 4; frame <= 2 * kReturnFrames; ++frame) {
+    stage.look(straightAt(6 + 1e-4 * frame));
+    CHECK(isAbove("Plate"));
+  }
 }
 
 TEST_CASE("zoomed in until the silhouette leaves the viewport, lines lie on their base lines") {
