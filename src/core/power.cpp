@@ -58,7 +58,7 @@ double exponential(double x) {
 
 double power(double base, double exponent) {
   assert(base >= 0);
-  if (exponent == 0) return 1;
+  if (exponent == 0 || base == 1) return 1;
   return base > 0 ? exponential(exponent * logarithm(base)) : 0;
 }
 

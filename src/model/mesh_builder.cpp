@@ -24,7 +24,7 @@ void MeshBuilder::beginPart() {
   firstPoint_ = static_cast<std::uint32_t>(mesh_.positions.size());
   firstTriangle_ = mesh_.triangles.size();
   points_.clear();
-  cells_.clear();
+  if (!cells_.empty()) cells_.clear();   // clears as many buckets as there ever were
   welded_ = 0;
 }
 

@@ -53,7 +53,7 @@ void drawStrake(const Ship& ship, const Ring& section, double fromX, double toX,
   std::vector<Vec3> way;
   for (int i = 0; i <= steps; ++i) {
     const double w = first + (last - first) * i / steps;
-    const double u = i == 0 ? from : i == steps ? to : 1 - power(1 - w, 1.5);
+    const double u = i == 0 ? from : i == steps ? to : 1 - (1 - w) * std::sqrt(1 - w);   // to the power of 3/2
     way.push_back(mirrored(line.side(u), side));
   }
   // To the right of the way is outboard on the starboard side; on the port side the way runs aft.
