@@ -44,6 +44,7 @@ void History::choose(const Identity& choice, double offsetM, const Segment2& awa
   awayPx_ = awayPx;
   aged_ = false;
   hidden_ = false;
+  forWantOfRoom_ = false;
   offsetM_ = offsetM;
   if (choice == last_) return;
   framesHeld_ = 0;
@@ -60,7 +61,8 @@ void History::forgetOffset() {
   awayPx_.reset();
 }
 
-void History::choseNone() {
+void History::choseNone(bool forWantOfRoom) {
+  forWantOfRoom_ = forWantOfRoom;
   awayPx_.reset();
   hidden_ = true;
   last_ = {.parameter = last_.parameter};

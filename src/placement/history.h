@@ -40,7 +40,7 @@ class History {
   void age();
   /// Notes this frame's choice, its offset (negative: none that the next frame should look at), and how far it lies from its base line on screen (px).
   void choose(const Identity& choice, double offsetM, const Segment2& awayPx = {});
-  /// A better kind of place is there than the last frame's: one outside the model for what was inside, any for what was hidden. Returns whether one has been there for
+  /// A better kind of place is there than the last frame's: one outside the model for what was inside, any for what had no room. Returns whether one has been there for
   /// kPatienceFrames moved frames on end.
   bool betterIsThere() {
     betterThere_ = true;
@@ -61,10 +61,11 @@ class History {
     renumber(last_);
     for (Left& left : left_) renumber(left.identity);
   }
-  /// Nothing was shown.
-  void choseNone();
+  /// Nothing was shown; `forWantOfRoom`: though it would have been, had there been room.
+  void choseNone(bool forWantOfRoom = false);
   /// Whether there was a last frame and nothing was shown in it.
   [[nodiscard]] bool hidden() const { return hidden_; }
+  [[nodiscard]] bool hiddenForWantOfRoom() const { return forWantOfRoom_; }
   /// Moved frames since the last frame's choice was made for the first time, or since it was preferred to another; counts to kReturnFrames.
   [[nodiscard]] int framesHeld() const { return framesHeld_; }
 
@@ -75,6 +76,7 @@ class History {
   };
   Identity last_;
   bool hidden_ = false;
+  bool forWantOfRoom_ = false;
   int framesHeld_ = 0;
   bool betterThere_ = false;          ///< in this frame
   int betterFrames_ = 0;              ///< moved frames on end before this one

@@ -142,12 +142,12 @@ double scoreOutside(const OtherHandle& handle, const OtherHandleContext& context
          handle.history.bonus(identity) + (crossings.labels ? kScoreCoversLabel : 0.0);
 }
 
-/// A place outside beats any inside, as for lines; but what was hidden, or inside, waits until a better kind of place has been there for some frames.
+/// A place outside beats any inside, as for lines; but what had no room, or was inside, waits until a better kind of place has been there for some frames.
 std::optional<PillPlace> choose(const OtherHandle& handle, const std::optional<PillPlace>& inside, const std::optional<PillPlace>& outside) {
   const std::optional<PillPlace>& best = outside ? outside : inside;
   History& history = handle.history;
   const bool wasInside = history.any() && history.last().plane < 0;
-  const bool better = best && (history.hidden() || (wasInside && inside && outside));
+  const bool better = best && (history.hiddenForWantOfRoom() || (wasInside && inside && outside));
   if (!better || history.betterIsThere() || !handle.firm) return best;
   return wasInside ? inside : std::nullopt;
 }

@@ -374,7 +374,7 @@ bool Placer::State::placeAll(const FrameToPlace& frame, std::size_t crowded, Lay
     if (stays(other)) continue;
     if (noPills && other.annotation.type != HandleType::kAngular) {
       layout.hidden.push_back({other.parameter, HiddenReason::kCrowded});
-      past.histories[other.parameter].choseNone();
+      past.histories[other.parameter].choseNone(true);
     } else {
       placeOther(other, view, values.at(other.parameter), layout);
     }
@@ -534,8 +534,9 @@ void Placer::State::placeOther(const Measured& measured, const View& view, doubl
   spareHandles.push_back(std::move(placed));
   layout.others.pop_back();
   const HiddenReason unseen = reasonFor(scopesOutOfSight(measured), !measured.scopes.empty());
-  layout.hidden.push_back({measured.parameter, scopesInSight.empty() ? unseen : *missing});
-  history.choseNone();
+  const HiddenReason reason = scopesInSight.empty() ? unseen : *missing;
+  layout.hidden.push_back({measured.parameter, reason});
+  history.choseNone(reason == HiddenReason::kCrowded);
 }
 
 }  // namespace dimline

@@ -124,7 +124,7 @@ TEST_CASE("pills keep clear of what has landed") {
   CHECK_FALSE(second.box.grown(kLabelClearancePx - 0.01).overlaps(first.box));
 }
 
-TEST_CASE("a pill that was hidden or inside waits until a better kind of place has been there for a while") {
+TEST_CASE("a pill that had no room or was inside waits until a better kind of place has been there for a while") {
   FrontOfBox stage;
   const Parameter parameter{.name = "Attic", .title = "Attic", .type = ParameterType::kBool};
   const Annotation outside = annotated(HandleType::kBoolean, Orient::kUp, Slip::kBillboard);
@@ -133,14 +133,19 @@ TEST_CASE("a pill that was hidden or inside waits until a better kind of place h
   PlacedHandle placed;
   const auto place = [&](const Annotation& annotation, bool firm) {
     const auto missing = placePill({0, parameter, annotation, stage.scopes, 1, history, firm}, stage.context(), placed);
-    missing ? history.choseNone() : history.choose(placed.identity, -1);
+    missing ? history.choseNone(true) : history.choose(placed.identity, -1);
     return missing;
   };
-  history.choseNone();
+  history.choseNone(true);
   for (int frame = 0; frame < kPatienceFrames; ++frame) {
     history.age();
     REQUIRE(place(outside, true) == HiddenReason::kCrowded);
   }
+  history.age();
+  REQUIRE_FALSE(place(outside, true));
+  CHECK(placed.placement == PlacementKind::kOutside);
+
+  history.choseNone();                    // its feature was out of sight
   history.age();
   REQUIRE_FALSE(place(outside, true));
   CHECK(placed.placement == PlacementKind::kOutside);
