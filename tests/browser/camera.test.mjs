@@ -10,7 +10,6 @@ before(async () => {
   tab = await openPage(browser, { width: 1000, height: 700, touch: true, drawn: false });
   page = tab.page;
   home = await cameraOf(page);
-  free = await freeSpot();
 });
 after(async () => {
   await browser?.close();
@@ -18,19 +17,20 @@ after(async () => {
 beforeEach(async () => {
   await call(page, "setCamera", home);
   await settle(page);
+  free = await freeSpot(); // lines need not be back where they were
 });
 
-/** A place in the picture, in the window's pixels, that is far from every handle and label. */
+/** A place in the picture, in the window's pixels, around which two fingers are far from every handle. */
 async function freeSpot() {
   const box = await pictureBox(page);
   const frame = await layoutOf(page);
-  const handles = frame.lines.flatMap((line) => line.handles.map((handle) => handle.screen));
+  const handles = [...frame.lines, ...frame.others].flatMap((shown) => shown.handles.map((handle) => handle.screen));
   let best = null;
   for (let x = 60; x < box.width - 60; x += 20) {
     for (let y = 60; y < box.height - 60; y += 20) {
       const clearance = Math.min(...handles.map((handle) => distance(handle, [x, y])));
       const toMiddle = Math.hypot(x - box.width / 2, y - box.height / 2);
-      if (clearance > 60 && (!best || toMiddle < best.toMiddle)) best = { toMiddle, at: [box.x + x, box.y + y] };
+      if (clearance > 75 && (!best || toMiddle < best.toMiddle)) best = { toMiddle, at: [box.x + x, box.y + y] };
     }
   }
   return best.at;
