@@ -15,9 +15,7 @@ namespace {
 
 auto orderOf(const Identity& i) { return std::tie(i.chain, i.scopeIndex, i.baseLine, i.plane, i.direction); }
 
-ChosenLine chosen(const Candidate& c, std::optional<Box2> label = std::nullopt) {
-  return {c.scope, c.base, c.baseScreen, c.foot, c.footScreen, c.line, c.lineScreen, label};
-}
+ChosenLine chosen(const Candidate& c) { return {c.scope, c.base, c.baseScreen, c.foot, c.footScreen, c.line, c.lineScreen, std::nullopt}; }
 
 /// px. While all is shown, a line must still have a direction on screen.
 constexpr double kShowAllLengthPx = 1.5;
@@ -127,18 +125,19 @@ Chooser::AmongOthers Chooser::amongOthers(const Candidate& candidate, const Choi
   return found;
 }
 
-/// The extension lines of all that a candidate was expanded to.
-void Chooser::gatherExtensions() {
+/// The extension lines of a line, or of all members of a chain, in parts.
+std::span<const Segment2> Chooser::extensionsOf(std::span<const ChosenLine> lines) {
   extensions_.clear();
-  for (const ChosenLine& line : lines_) {
+  for (const ChosenLine& line : lines) {
     const auto parts = extensionParts(line.baseScreen, line.footScreen, line.lineScreen);
     extensions_.insert(extensions_.end(), parts.begin(), parts.end());
   }
+  return extensions_;
 }
 
 /// What the extension lines of a chain's members run across; those at its ends are known to the score already.
-void Chooser::addMembers(AmongOthers& among, const ChoiceContext& context) const {
-  const Landed::Crossings crossings = context.occupied.landed().extensionCrossings(extensions_);
+void Chooser::addMembers(AmongOthers& among, const ChoiceContext& context) {
+  const Landed::Crossings crossings = context.occupied.landed().extensionCrossings(extensionsOf(lines_));
   if (crossings.extensions && !among.landed.extensions) among.score += kScoreCrossesExtension;
   if (crossings.labels && !among.landed.labels) among.score += kScoreCoversLabel;
   among.landed.extensions = among.landed.extensions || crossings.extensions;
@@ -166,14 +165,12 @@ bool Chooser::chooseBest(const Measured& measured, const ChoiceContext& context)
     }
     // Its label may have pushed it to where it runs into more.
     if (candidate.lineScreen.start != triedAt.start) among = inPlace();
-    gatherExtensions();
     if (lines_.size() > 1) addMembers(among, context);
     if (beaten(among.score)) continue;
     found = true;
     bestScore = among.score;
     winner_ = candidate;
     winnerAmongOthers_ = among;
-    std::swap(extensions_, winnerExtensions_);
     std::swap(lines_, winnerLines_);
   }
   return found;
@@ -184,11 +181,11 @@ void Chooser::chooseInside(const CandidateContext& candidates, const ChoiceConte
   const Landed& landed = context.occupied.landed();
   candidates_.clear();
   for (const UsableBaseLine& base : bases_) gatherInsideCandidate(candidates, base, context.scopes[base.scope].box, candidates_);
-  const auto rank = [&](const Candidate& c) {
+  for (Candidate& c : candidates_) {
     const Landed::Crossings across = landed.crossings(c.baseScreen, c.baseScreen, c.lineScreen);
-    const double amiss = (across.extensions ? kScoreAmissInside : 0.0) + (across.labels ? kScoreAmissInside : 0.0);
-    return std::pair(!landed.runsInto(c.lineScreen), c.score + amiss);
-  };
+    c.score += (across.extensions ? kScoreAmissInside : 0.0) + (across.labels ? kScoreAmissInside : 0.0);
+  }
+  const auto rank = [&](const Candidate& c) { return std::pair(!landed.runsInto(c.lineScreen), c.score); };
   const auto best = std::ranges::max_element(candidates_, {}, rank);
   cramped_ = landed.runsInto(best->lineScreen);
   winner_ = *best;
@@ -196,11 +193,11 @@ void Chooser::chooseInside(const CandidateContext& candidates, const ChoiceConte
   winnerLines_.push_back(chosen(winner_));
 }
 
-Chooser::Worth Chooser::worth(const Landed& landed) const {
+Chooser::Worth Chooser::worth(const Landed& landed) {
   if (winner_.placement == PlacementKind::kInside) return {kScoreInside, {}, false};
   const Landed::Crossings& crossings = winnerAmongOthers_.landed;
   const bool nests = winnerAmongOthers_.nestsWithin;
-  const Landed::Tangle tangle = crossings.extensions ? landed.tangle(winner_.lineScreen, winnerExtensions_) : Landed::Tangle{};
+  const Landed::Tangle tangle = crossings.extensions ? landed.tangle(winner_.lineScreen, extensionsOf(winnerLines_)) : Landed::Tangle{};
   const double runsInto = (crossings.lines ? kScoreIntersect : 0.0) + (crossings.labels ? kScoreCoversLabel : 0.0) +
                           kScoreTangle * tangle.lines +
                           (nests ? kScoreNestedWrongly : 0.0);

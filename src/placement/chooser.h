@@ -53,7 +53,7 @@ class Chooser {
     Landed::Tangle tangle;
     bool nestsWithin = false;
   };
-  [[nodiscard]] Worth worth(const Landed& landed) const;
+  [[nodiscard]] Worth worth(const Landed& landed);
   /// Whether the choice is a base line that runs into a line that has landed.
   [[nodiscard]] bool cramped() const { return cramped_; }
   [[nodiscard]] const BaseLineTally& tally() const { return tally_; }
@@ -71,8 +71,8 @@ class Chooser {
     bool nestsWithin = false;
   };
   [[nodiscard]] static AmongOthers amongOthers(const Candidate& candidate, const ChoiceContext& context, double enough);
-  void gatherExtensions();
-  void addMembers(AmongOthers& among, const ChoiceContext& context) const;
+  std::span<const Segment2> extensionsOf(std::span<const ChosenLine> lines);
+  void addMembers(AmongOthers& among, const ChoiceContext& context);
   bool settle(Candidate& candidate, const Measured& measured, const ChoiceContext& context);
   bool expand(const Candidate& candidate, const Measured& measured, const ChoiceContext& context);
   bool expandChain(const Candidate& candidate, const Measured& measured, const ChoiceContext& context);
@@ -85,8 +85,7 @@ class Chooser {
   AmongOthers winnerAmongOthers_;           ///< of a winner outside
   std::vector<ChosenLine> winnerLines_;
   std::vector<ChosenLine> lines_;           ///< of the candidate that is looked at
-  std::vector<Segment2> extensions_;        ///< of the candidate that is looked at: of all its members, in parts
-  std::vector<Segment2> winnerExtensions_;
+  std::vector<Segment2> extensions_;        ///< of the lines that extensionsOf() was last asked for
   std::vector<UsableBaseLine> bases_;
   std::vector<UsableBaseLine> chainBases_;
   std::vector<Candidate> candidates_;

@@ -41,10 +41,9 @@ void Landed::add(const PlacedLine& line, int guide) {
 
 void Landed::add(const Segment2& base, const Segment2& foot, const Segment2& line) {
   lines_.push_back({line, -1, line.middle() - base.middle()});
-  extensions_.push_back({{foot.start, line.start}});
-  extensions_.push_back({{foot.end, line.end}});
-  if (foot.start != base.start) extensions_.push_back({{base.start, foot.start}});
-  if (foot.end != base.end) extensions_.push_back({{base.end, foot.end}});
+  for (const Segment2& part : extensionParts(base, foot, line)) {
+    if (part.start != part.end) extensions_.push_back({part});
+  }
 }
 
 void Landed::backTo(const Mark& mark) {

@@ -235,7 +235,10 @@ std::optional<HiddenReason> placePill(const OtherHandle& handle, const OtherHand
     if (handle.annotation.slip == Slip::kNone) continue;
     for (int way = 0; way < 8; ++way) {
       const auto box = roomTowards(atAnchor, compass(way), context);
-      if (box) offer({scope, anchor, *box, way, scoreOutside(handle, context, {scope, anchor, *box, way})}, outside);
+      if (!box) continue;
+      PillPlace place{scope, anchor, *box, way};
+      place.score = scoreOutside(handle, context, place);
+      offer(place, outside);
     }
   }
   const auto place = choose(handle, inside, outside);
