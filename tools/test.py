@@ -271,7 +271,7 @@ def tools_part(match: str):
 def wasm_part(match: str):
     start = time.monotonic()
     wait_for_build("wasm")
-    missing = [name for name in ("dimline.js", "dimline.wasm") if not (ROOT / "build/wasm" / name).exists()]
+    missing = [name for name in ("dimline.js", "dimline.wasm", "dimline_gltf.js", "dimline_gltf.wasm") if not (ROOT / "build/wasm" / name).exists()]
     result = Result("build", passed=0 if missing else 1)
     if missing:
         result = failure("build", f"the build made no {' and no '.join(missing)}")

@@ -22,22 +22,30 @@ const kModuleUrl = new URL("./build/dimline.js", import.meta.url).href;
  * @param {string | URL} [options.url] where dimline.js lies, with dimline.wasm beside it; in build/ beside this file by default
  */
 export async function createCore({ url = kModuleUrl } = {}) {
+  const address = new URL(url, import.meta.url);
+  return new Core(await startModule(address, "Editor"), address);
+}
+
+/** An instance of one of the modules that the build makes, from its .js and the .wasm beside it; `entry` is what it must have. */
+async function startModule(url, entry) {
+  const name = url.pathname.split("/").pop();
   let createModule;
   try {
     ({ default: createModule } = await import(/* @vite-ignore */ String(url)));
   } catch (cause) {
-    throw new Error(`dimline.js could not be loaded from ${url}. Is it there, and the network up?`, { cause });
+    throw new Error(`${name} could not be loaded from ${url}. Is it there, and the network up?`, { cause });
   }
-  if (typeof createModule !== "function") {
-    throw new Error(`${url} is not the Dimline core: it should export a function by default.`);
-  }
+  const isNoModule = () => new Error(`${url} is not the module of the Dimline core that should be there: it has no ${entry}.`);
+  if (typeof createModule !== "function") throw isNoModule();
+  let module;
   try {
-    return new Core(await createModule({}));
+    module = await createModule({});
   } catch (cause) {
-    throw new Error(`dimline.wasm, beside ${url}, could not be loaded or started. Is it there, and the network up?`, {
-      cause,
-    });
+    const wasm = name.replace(/\.m?js$/, ".wasm");
+    throw new Error(`${wasm}, beside ${url}, could not be loaded or started. Is it there, and the network up?`, { cause });
   }
+  if (!module[entry]) throw isNoModule();
+  return module;
 }
 
 export class Core {
@@ -45,10 +53,13 @@ export class Core {
   #editor;
   #contextHandle = 0;
   #models = null;
+  #gltfUrl;
+  #gltfFailures = 0;
 
-  constructor(module) {
+  constructor(module, url) {
     this.#module = module;
     this.#editor = new module.Editor();
+    this.#gltfUrl = new URL("./dimline_gltf.js", url);
   }
 
   /** Frees the document, and the GL objects when a context is attached. Nothing may be called afterwards. */
@@ -72,13 +83,43 @@ export class Core {
   }
 
   /**
-   * Replaces the document by a glTF file.
+   * Reads a glTF file, and changes nothing: `core.setScene(await core.readGltf("chair.glb", { bytes }))` shows it.
+   *
+   * What reads it, dimline_gltf.js and dimline_gltf.wasm beside dimline.js, is fetched with the first file: most visitors open none. Each file has
+   * an instance to itself, so that what it does to it, and the memory that it takes, goes with it.
+   *
    * @param {string} name for messages
-   * @param {Uint8Array} bytes of the .gltf or .glb
-   * @param {Record<string, Uint8Array>} files what the .gltf names by relative URI
+   * @param {{bytes: Uint8Array, files?: Record<string, Uint8Array>} | Promise} document the .gltf or .glb, and what a .gltf names by relative URI, or a
+   *   promise of both, as gltf_files.js gives it
+   * @returns {Promise<Uint8Array>} the scene; rejects with an Error that says what is wrong with the file
    */
-  setGltf(name, bytes, files) {
-    check(this.#editor.setGltf(String(name), bytes, files));
+  async readGltf(name, document) {
+    const [reader, { bytes, files }] = await Promise.all([this.#startGltfReader(), document]);
+    let result;
+    try {
+      result = reader.importGltf(String(name), bytes, files);
+    } catch (cause) {
+      throw new Error(`${name} could not be read, perhaps for want of memory: ${cause.message}.`, { cause });
+    }
+    check(result.error);
+    return result.scene;
+  }
+
+  // A browser may remember that a module's address failed; another attempt asks by a new one.
+  async #startGltfReader() {
+    const url = new URL(this.#gltfUrl);
+    if (this.#gltfFailures > 0) url.searchParams.set("attempt", this.#gltfFailures);
+    try {
+      return await startModule(url, "importGltf");
+    } catch (error) {
+      ++this.#gltfFailures;
+      throw error;
+    }
+  }
+
+  /** Replaces the document by a scene that readGltf() gave. */
+  setScene(scene) {
+    check(this.#editor.setScene(scene));
   }
 
   parameters() {

@@ -396,9 +396,9 @@ export class DimlineEditor extends Base {
     const { signal } = (this.#loading = new AbortController());
     try {
       if (isGltfUrl(name)) {
-        const { bytes, files } = await fetchGltf(new URL(name, document.baseURI).href, signal);
+        const scene = await this.#core.readGltf(name, fetchGltf(new URL(name, document.baseURI).href, signal));
         if (signal.aborted || !this.#core) return;
-        this.#core.setGltf(name, bytes, files);
+        this.#core.setScene(scene);
       } else {
         this.#core.setModel(name);
       }

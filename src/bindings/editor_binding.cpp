@@ -11,8 +11,9 @@
 #include "app/editor_words.h"
 #include "app/json.h"
 #include "app/json_overlay.h"
+#include "bindings/byte_array.h"
 #include "core/text.h"
-#include "gltf/gltf_reader.h"
+#include "model/imported_scene.h"
 #include "models/models.h"
 
 // The Editor as JavaScript sees it. Text and numbers cross by value, lists as JSON text, files as copies of typed
@@ -55,15 +56,6 @@ PointerInput pointerFrom(int id, const std::string& kind, int button, double x, 
   return input;
 }
 
-/// The bytes of a Uint8Array; nothing for any other thing.
-std::optional<std::vector<std::byte>> bytesOf(const emscripten::val& array) {
-  if (!array.instanceof(emscripten::val::global("Uint8Array"))) return std::nullopt;
-  std::vector<std::byte> bytes(array["length"].as<unsigned>());
-  emscripten::val(emscripten::typed_memory_view(bytes.size(), reinterpret_cast<unsigned char*>(bytes.data())))
-      .call<void>("set", array);
-  return bytes;
-}
-
 std::string modelsJson() {
   JsonWriter json;
   json.beginArray();
@@ -82,16 +74,13 @@ public:
     return sentence(editor_.setModel(std::move(model).value()));
   }
 
-  std::string setGltf(const std::string& name, const emscripten::val& bytes, const emscripten::val& files) {
+  /// What the module dimline_gltf made of a file.
+  std::string setScene(const emscripten::val& bytes) {
     const auto content = bytesOf(bytes);
-    if (!content) return "The contents of " + inQuotes(name) + " must be a Uint8Array.";
-    const GltfFileResolver resolve = [&](std::string_view uri) -> Result<std::vector<std::byte>> {
-      const emscripten::val file = files.isNull() || files.isUndefined() ? files : files[std::string(uri)];
-      auto found = bytesOf(file);
-      if (!found) return Error{"The file " + inQuotes(uri) + " was not given along."};
-      return std::move(*found);
-    };
-    auto model = readGltf(name, *content, resolve);
+    if (!content) return "A scene is a Uint8Array, as the reader of glTF files gives it.";
+    auto scene = importedSceneFrom(*content);
+    if (!scene) return scene.error().message;
+    auto model = stretchedModel(std::move(scene).value());
     if (!model) return model.error().message;
     return sentence(editor_.setModel(std::move(model).value()));
   }
@@ -325,7 +314,7 @@ EMSCRIPTEN_BINDINGS(dimline) {
   emscripten::class_<EditorBinding>("Editor")
       .constructor<>()
       .function("setModel", &EditorBinding::setModel)
-      .function("setGltf", &EditorBinding::setGltf)
+      .function("setScene", &EditorBinding::setScene)
       .function("parametersJson", &EditorBinding::parametersJson)
       .function("setParametersJson", &EditorBinding::setParametersJson)
       .function("setParameterContinuous", &EditorBinding::setParameterContinuous)

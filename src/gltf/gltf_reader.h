@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/result.h"
-#include "model/model.h"
+#include "model/imported_scene.h"
 
 namespace dimline {
 
@@ -16,24 +16,21 @@ namespace dimline {
 /// percent-encoded.
 using GltfFileResolver = std::function<Result<std::vector<std::byte>>(std::string_view uri)>;
 
-/// Reads a glTF 2.0 file, .gltf or .glb (told apart by their first bytes), as a model that can be stretched.
+/// Reads a glTF 2.0 file, .gltf or .glb (told apart by their first bytes).
 ///
 /// Geometry: every mesh that the default scene places, with its node's transform; triangles, strips and fans; positions that agree
-/// exactly are shared between faces, and normals are computed where there are none. Mirrored nodes come out with their faces turned
-/// outwards. Base colour, its texture (PNG, JPEG; at most 1024 pixels a side, reduced when larger), roughness and
-/// doubleSided are kept.
+/// exactly are shared between faces, and normals are computed where there are none. Base colour, its texture (PNG, JPEG; at most 1024
+/// pixels a side, reduced when larger), roughness and doubleSided are kept. Each named node with something to see in or below it is a
+/// named part.
 ///
-/// Parameters: Width, Height and Depth of the bounding box, in metres, at first the file's; each stretches the whole along its axis, away from
-/// the left, lower and back side, which stay. An axis in which the model has no extent has no parameter.
-///
-/// Scopes: "Model", the bounding box; and for each named node with something to see in or below it its own box, in the node's frame.
-///
-/// `name` is the file's, with or without a folder: the model is called after it, and errors start with it. A file that is damaged, or that
-/// needs what is not supported, gives an error. What can be left out (a texture that cannot be read, lines and points) is, and stands in the
-/// model's diagnostics.
+/// `name` is the file's, with or without a folder; errors start with it. A file that is damaged, or that needs what is not supported, gives
+/// an error. What can be left out (a texture that cannot be read, lines and points) is, and stands in the diagnostics.
+Result<ImportedScene> importGltf(std::string_view name, std::span<const std::byte> bytes, const GltfFileResolver& resolve);
+
+/// The same as a model that can be stretched (stretchedModel() says how).
 Result<Model> readGltf(std::string_view name, std::span<const std::byte> bytes, const GltfFileResolver& resolve);
 
-/// The URIs that readGltf would ask its resolver for, each once, for hosts that must fetch them beforehand.
+/// The URIs that importGltf would ask its resolver for, each once, for hosts that must fetch them beforehand.
 Result<std::vector<std::string>> externalGltfFiles(std::string_view name, std::span<const std::byte> bytes);
 
 /// readGltf on a path, with the other files taken from beside it. Not for the page, which has no files.

@@ -1,6 +1,8 @@
 import { test } from "node:test";
 import assert from "node:assert/strict";
 import createDimlineModule from "../../build/wasm/dimline.js";
+import createDimlineGltfModule from "../../build/wasm/dimline_gltf.js";
+import { tetrahedronGlb } from "../support/tetrahedron.mjs";
 
 const module = await createDimlineModule();
 
@@ -282,8 +284,8 @@ test("what goes wrong is said in a sentence, and nothing changes", (t) => {
   assert.match(editor.setCameraJson('{"eye": [0, 0], "target": [0, 0, 0]}'), /eye/);
   assert.match(editor.setStandardView("below"), /below/);
   assert.match(editor.setFieldsFrom("moon"), /moon/);
-  assert.match(editor.setGltf("x.glb", new Uint8Array([1, 2, 3]), {}), /x\.glb/);
-  assert.match(editor.setGltf("x.glb", "text", {}), /Uint8Array/);
+  assert.match(editor.setScene("text"), /Uint8Array/);
+  assert.match(editor.setScene(new Uint8Array([1, 2, 3])), /bytes/);
   assert.match(editor.attachContext(0), /WebGL/);
   assert.match(editor.attachContext(99), /WebGL/);
   assert.equal(editor.parametersJson() + editor.cameraJson(), before);
@@ -307,9 +309,10 @@ test("input that is no number, or in nobody's viewport, is survived", (t) => {
   assert.equal(stage.editor.layoutJson(), before);
 });
 
-test("a .glb is a document too: its box can be dragged", (t) => {
+test("a .glb is a document too: its box can be dragged", async (t) => {
   const stage = openEditor(t);
-  assert.equal(stage.editor.setGltf("tetra.glb", tetrahedronGlb(), {}), "");
+  const reader = await createDimlineGltfModule();
+  assert.equal(stage.editor.setScene(reader.importGltf("tetra.glb", tetrahedronGlb(), {}).scene), "");
   stage.settle();
   const names = JSON.parse(stage.editor.parametersJson()).map((p) => p.name);
   assert.deepEqual(names, ["Width", "Height", "Depth"]);
@@ -343,40 +346,3 @@ test("many editors come and go without the memory growing", () => {
   for (let i = 0; i < 30; i++) open();
   assert.ok(process.memoryUsage().arrayBuffers - before < 8e6);
 });
-
-/** A tetrahedron of 2 x 3 x 4 m. */
-function tetrahedronGlb() {
-  const positions = new Float32Array([0, 0, 0, 2, 0, 0, 0, 3, 0, 0, 0, 4]);
-  const indices = new Uint16Array([0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3]);
-  const json = {
-    asset: { version: "2.0" },
-    scene: 0,
-    scenes: [{ nodes: [0] }],
-    nodes: [{ mesh: 0, name: "tetra" }],
-    meshes: [{ primitives: [{ attributes: { POSITION: 0 }, indices: 1 }] }],
-    accessors: [
-      { bufferView: 0, componentType: 5126, count: 4, type: "VEC3", min: [0, 0, 0], max: [2, 3, 4] },
-      { bufferView: 1, componentType: 5123, count: 12, type: "SCALAR" },
-    ],
-    bufferViews: [
-      { buffer: 0, byteOffset: 0, byteLength: 48 },
-      { buffer: 0, byteOffset: 48, byteLength: 24 },
-    ],
-    buffers: [{ byteLength: 72 }],
-  };
-  let text = JSON.stringify(json);
-  text += " ".repeat((4 - (text.length % 4)) % 4);
-  const glb = Buffer.alloc(12 + 8 + text.length + 8 + 72);
-  glb.write("glTF", 0);
-  glb.writeUInt32LE(2, 4);
-  glb.writeUInt32LE(glb.length, 8);
-  glb.writeUInt32LE(text.length, 12);
-  glb.write("JSON", 16);
-  glb.write(text, 20);
-  const binary = 20 + text.length;
-  glb.writeUInt32LE(72, binary);
-  glb.write("BIN\0", binary + 4);
-  Buffer.from(positions.buffer).copy(glb, binary + 8);
-  Buffer.from(indices.buffer).copy(glb, binary + 8 + 48);
-  return new Uint8Array(glb);
-}

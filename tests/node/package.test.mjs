@@ -43,7 +43,7 @@ test("what goes wrong in the core is an Error with its sentence", async (t) => {
   assert.throws(() => core.setParameters([9]), /object/);
   assert.throws(() => core.setCamera("front"), /camera/i);
   assert.throws(() => core.setStandardView("inside"), /inside/);
-  assert.throws(() => core.setGltf("x.glb", "not bytes", {}), /Uint8Array/);
+  assert.throws(() => core.setScene("not bytes"), /Uint8Array/);
 });
 
 test("two cores are two documents", async (t) => {
