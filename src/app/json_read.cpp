@@ -1,78 +1,73 @@
-#include <cmath>
-
-#include <nlohmann/json.hpp>
-
 #include "app/json.h"
+#include "app/json_value.h"
 #include "core/text.h"
-
-// nlohmann::json parses here without exceptions, and every access checks the type first.
 
 namespace dimline {
 
 namespace {
 
-using nlohmann::json;
+using Kind = JsonValue::Kind;
 
-Result<json> parse(std::string_view text, std::string_view what) {
-  json parsed = json::parse(text, nullptr, false);
-  if (parsed.is_discarded()) return Error{std::string(what) + " is not valid JSON: " + inQuotes(text) + "."};
-  return parsed;
+Result<JsonValue> parse(std::string_view text, std::string_view what) {
+  auto parsed = parseJson(text);
+  if (!parsed) return Error{std::string(what) + " is not valid JSON: " + inQuotes(text) + "."};
+  return std::move(*parsed);
 }
 
 /// The value as a person would have written it, for messages.
-std::string shown(const json& value) {
-  if (value.is_string()) return inQuotes(value.get_ref<const std::string&>());
-  if (value.is_structured()) return value.is_array() ? "a list" : "an object";
-  return value.dump();
+std::string shown(const JsonValue& value) {
+  if (value.kind == Kind::kText) return inQuotes(value.text);
+  if (value.kind == Kind::kList) return "a list";
+  return value.kind == Kind::kObject ? "an object" : value.text.substr(0, kRecognisable);
 }
 
-Result<double> valueFrom(const Parameter& parameter, const json& value) {
+Result<double> valueFrom(const Parameter& parameter, const JsonValue& value) {
   switch (parameter.type) {
     case ParameterType::kBool:
-      if (value.is_boolean()) return value.get<bool>() ? 1.0 : 0.0;
+      if (value.kind == Kind::kBool) return value.flag ? 1.0 : 0.0;
       return Error{parameter.name + " is a switch: it takes true or false, not " + shown(value) + "."};
     case ParameterType::kChoice:
-      if (value.is_string()) return parseValue(parameter, value.get_ref<const std::string&>());
+      if (value.kind == Kind::kText) return parseValue(parameter, value.text);
       return Error{parameter.name + " is a choice: it takes one of its names as a text, not " + shown(value) + "."};
     case ParameterType::kFloat:
     case ParameterType::kInt:
     case ParameterType::kAngle:
       break;
   }
-  if (!value.is_number()) return Error{parameter.name + " takes a number, not " + shown(value) + "."};
-  const double number = value.get<double>();
-  if (!std::isfinite(number)) return Error{parameter.name + " takes a finite number."};
-  return clampValue(parameter, number);
+  if (value.kind != Kind::kNumber) return Error{parameter.name + " takes a number, not " + shown(value) + "."};
+  return clampValue(parameter, value.number);
 }
 
-Result<double> readNumber(const json& value, std::string_view field) {
-  if (!value.is_number() || !std::isfinite(value.get<double>())) {
-    return Error{std::string(field) + " must be a finite number, not " + shown(value) + "."};
-  }
-  return value.get<double>();
+Result<double> readNumber(const JsonValue& value, std::string_view field) {
+  if (value.kind != Kind::kNumber) return Error{std::string(field) + " must be a finite number, not " + shown(value) + "."};
+  return value.number;
 }
 
-Result<Vec3> readVec3(const json& value, std::string_view field) {
+Result<Vec3> readVec3(const JsonValue& value, std::string_view field) {
   const std::string wanted = std::string(field) + " must be a list of three finite numbers, as in [1, 2, 3]";
-  if (!value.is_array() || value.size() != 3) return Error{wanted + ", not " + shown(value) + "."};
+  if (value.kind != Kind::kList || value.elements.size() != 3) return Error{wanted + ", not " + shown(value) + "."};
   Vec3 v{0.0};
   for (int i = 0; i < 3; ++i) {
-    const json& part = value[static_cast<std::size_t>(i)];
-    if (!part.is_number() || !std::isfinite(part.get<double>())) return Error{wanted + "."};
-    v[i] = part.get<double>();
+    const JsonValue& part = value.elements[static_cast<std::size_t>(i)];
+    if (part.kind != Kind::kNumber) return Error{wanted + "."};
+    v[i] = part.number;
   }
   return v;
 }
 
-Result<Camera> cameraFrom(const json& value) {
-  if (!value.is_object()) {
+Result<Camera> cameraFrom(const JsonValue& value) {
+  if (value.kind != Kind::kObject) {
     return Error{"A camera is an object such as {\"eye\": [10, 8, 14], \"target\": [0, 3, 0], \"fovDeg\": 35}, not " +
                  shown(value) + "."};
   }
   Camera camera;
   bool hasEye = false;
   bool hasTarget = false;
-  for (const auto& [key, field] : value.items()) {
+  bool hasFov = false;
+  bool hasHeight = false;
+  for (std::size_t i = 0; i < value.elements.size(); ++i) {
+    const std::string& key = value.names[i];
+    const JsonValue& field = value.elements[i];
     const std::string name = "The camera's " + key;
     if (key == "eye" || key == "target" || key == "up") {
       const auto v = readVec3(field, name);
@@ -85,15 +80,17 @@ Result<Camera> cameraFrom(const json& value) {
       if (!number) return number.error();
       if (key == "fovDeg") {
         camera.fovRad = *number * kRadPerDeg;
+        hasFov = true;
       } else {
         camera.orthoHeightM = *number;
+        hasHeight = true;
       }
     } else {
       return Error{"A camera has eye, target, up, and fovDeg or orthoHeight; " + inQuotes(key) + " is none of these."};
     }
   }
   if (!hasEye || !hasTarget) return Error{std::string("The camera's ") + (hasEye ? "target" : "eye") + " is missing."};
-  if (value.contains("fovDeg") && value.contains("orthoHeight")) {
+  if (hasFov && hasHeight) {
     return Error{"A camera has fovDeg (perspective) or orthoHeight (orthographic), not both."};
   }
   if (Status status = validate(camera); !status) return status.error();
@@ -112,17 +109,18 @@ Result<std::vector<std::pair<std::size_t, double>>> readValues(std::span<const P
                                                                std::string_view text) {
   const auto parsed = parse(text, "The list of parameters");
   if (!parsed) return parsed.error();
-  if (!parsed->is_object())
+  if (parsed->kind != Kind::kObject)
     return Error{"Parameters are set by an object such as {\"Width\": 9}, not by " + shown(*parsed) + "."};
   std::vector<std::pair<std::size_t, double>> changes;
-  for (const auto& [name, value] : parsed->items()) {
+  for (std::size_t i = 0; i < parsed->elements.size(); ++i) {
+    const std::string& name = parsed->names[i];
     const auto index = findParameter(parameters, name);
     if (!index) {
       std::vector<std::string_view> names;
       for (const Parameter& parameter : parameters) names.push_back(parameter.name);
       return Error{"There is no parameter " + inQuotes(name) + "; this model has " + joined(names) + "."};
     }
-    const auto number = valueFrom(parameters[*index], value);
+    const auto number = valueFrom(parameters[*index], parsed->elements[i]);
     if (!number) return number.error();
     changes.emplace_back(*index, *number);
   }
@@ -138,9 +136,9 @@ Result<Camera> readCamera(std::string_view text) {
 Result<std::vector<Camera>> readCameras(std::string_view text) {
   const auto parsed = parse(text, "The list of cameras");
   if (!parsed) return parsed.error();
-  if (!parsed->is_array()) return Error{"Cameras come as a list, [{\"eye\": …}, …], not as " + shown(*parsed) + "."};
+  if (parsed->kind != Kind::kList) return Error{"Cameras come as a list, [{\"eye\": …}, …], not as " + shown(*parsed) + "."};
   std::vector<Camera> cameras;
-  for (const json& entry : *parsed) {
+  for (const JsonValue& entry : parsed->elements) {
     const auto camera = cameraFrom(entry);
     if (!camera)
       return Error{"Camera " + std::to_string(cameras.size()) + " (counted from 0): " + camera.error().message};

@@ -5,32 +5,9 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "core/text.h"
+
 namespace dimline {
-
-namespace {
-
-/// Length of the well-formed UTF-8 sequence that `text` starts with, or 0.
-std::size_t sequenceLength(std::string_view text) {
-  const auto byte = [&](std::size_t i) { return static_cast<std::uint8_t>(text[i]); };
-  const std::uint8_t lead = byte(0);
-  const std::size_t length = lead < 0x80                   ? 1
-                             : lead >= 0xC2 && lead < 0xE0 ? 2
-                             : lead >= 0xE0 && lead < 0xF0 ? 3
-                             : lead >= 0xF0 && lead < 0xF5 ? 4
-                                                           : 0;
-  if (length == 0 || text.size() < length) return 0;
-  for (std::size_t i = 1; i < length; ++i) {
-    if ((byte(i) & 0xC0U) != 0x80) return 0;
-  }
-  // Overlong forms, surrogates and what lies past Unicode's end.
-  if ((lead == 0xE0 && byte(1) < 0xA0) || (lead == 0xED && byte(1) > 0x9F) || (lead == 0xF0 && byte(1) < 0x90) ||
-      (lead == 0xF4 && byte(1) > 0x8F)) {
-    return 0;
-  }
-  return length;
-}
-
-}  // namespace
 
 void JsonWriter::separate() {
   if (needsComma_) text_ += ',';
@@ -118,7 +95,7 @@ void JsonWriter::quote(std::string_view text) {
   text_ += '"';
   while (!text.empty()) {
     const char c = text.front();
-    const std::size_t length = sequenceLength(text);
+    const std::size_t length = utf8Length(text);
     if (c == '"' || c == '\\') {
       text_ += '\\';
       text_ += c;

@@ -21,6 +21,9 @@ std::optional<double> parseDouble(std::string_view text);
 /// The number with so many decimals, `.` as the decimal sign, and never "-0.00".
 std::string formatFixed(double value, int decimals);
 
+/// Bytes of the well-formed UTF-8 character that a text, which is not empty, starts with; 0 when it starts with none.
+std::size_t utf8Length(std::string_view text);
+
 /// How many characters of a text a message shows: enough to recognise a word by, and a path in full, which is of no use in part.
 inline constexpr std::size_t kRecognisable = 40;
 inline constexpr std::size_t kWholePath = 4096;
