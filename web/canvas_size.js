@@ -18,8 +18,8 @@ export class CanvasSize {
     this.#stage = stage;
     this.#canvas = canvas;
     const observer = new ResizeObserver((entries) => {
-      this.#measure(entries.at(-1));
-      host.resized();
+      // The first call tells what the constructor has found out already.
+      if (this.#measure(entries.at(-1))) host.resized();
     });
     try {
       observer.observe(stage, { box: "device-pixel-content-box" });
@@ -38,9 +38,13 @@ export class CanvasSize {
     };
     watchRatio();
     this.#measure(null);
+    // A context that is made for these pixels need not be given others.
+    [canvas.width, canvas.height] = this.#device;
   }
 
+  // Whether the size is another one than before.
   #measure(entry) {
+    const before = this.#device;
     const { clientWidth, clientHeight } = this.#stage;
     const rounded = [Math.round(clientWidth * devicePixelRatio), Math.round(clientHeight * devicePixelRatio)];
     const box = entry?.devicePixelContentBoxSize?.[0];
@@ -48,6 +52,7 @@ export class CanvasSize {
     // A browser that plays another device reports the pixels of the real one here.
     const sound = exact.every((size, i) => Math.abs(size - rounded[i]) <= Math.ceil(devicePixelRatio));
     this.#device = sound ? exact : rounded;
+    return !before?.every((size, i) => size === this.#device[i]);
   }
 
   /**
@@ -64,8 +69,9 @@ export class CanvasSize {
     const size = `${width} ${height} ${ratio}`;
     if (size === this.#applied) return;
     this.#applied = size;
-    this.#canvas.width = width;
-    this.#canvas.height = height;
+    // To set either empties the canvas, even if it stays as it is.
+    if (this.#canvas.width !== width) this.#canvas.width = width;
+    if (this.#canvas.height !== height) this.#canvas.height = height;
     resize(width / ratio, height / ratio, ratio);
   }
 }

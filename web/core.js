@@ -311,6 +311,11 @@ export class Core {
     this.#contextHandle = 0;
   }
 
+  /** Why the last frame could not be drawn as it should, in a sentence; empty when all is well. */
+  get problem() {
+    return this.#editor.problem();
+  }
+
   /** Advances to the time and draws; true when another frame is wanted. */
   frame(nowMs) {
     return this.#editor.frame(nowMs);

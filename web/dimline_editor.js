@@ -16,6 +16,16 @@ import { makeDeferred, Waiting } from "./waiting.js";
 // In node there is no DOM: the module can be imported there, and the element not be made.
 const Base = globalThis.HTMLElement ?? class {};
 
+/** The context, or else the core that is coming is let go when it comes. */
+function makeContextBefore(coming, canvas) {
+  try {
+    return makeContext(canvas);
+  } catch (error) {
+    coming.then((core) => core.dispose(), () => {});
+    throw error;
+  }
+}
+
 /**
  * `<dimline-editor model="house">`: a parametric model with dimension lines that can be dragged.
  *
@@ -275,11 +285,19 @@ export class DimlineEditor extends Base {
   async #start() {
     const listening = (this.#listening = new AbortController());
     this.#build(listening.signal);
+    const url = this.#coreAddress();
+    // Making a context can take long, and the core's files come in meanwhile.
+    const coming = createCore(url ? { url } : {});
     try {
-      const gl = makeContext(this.#parts.canvas);
       const font = loadLabelFont();
-      const url = this.#coreAddress();
-      const core = await createCore(url ? { url } : {});
+      const size = new CanvasSize(
+        this.#parts.stage,
+        this.#parts.canvas,
+        { resized: () => this.#drawNow(), stale: () => this.#requestFrame() },
+        listening.signal,
+      );
+      const gl = makeContextBefore(coming, this.#parts.canvas);
+      const core = await coming;
       if (listening.signal.aborted) {
         core.dispose();
         return;
@@ -288,18 +306,14 @@ export class DimlineEditor extends Base {
       core.attachContext(gl);
       await font;
       if (listening.signal.aborted) return;
-      this.#size = new CanvasSize(
-        this.#parts.stage,
-        this.#parts.canvas,
-        { resized: () => this.#drawNow(), stale: () => this.#requestFrame() },
-        listening.signal,
-      );
+      this.#size = size;
       this.#watchMotion(listening.signal);
       this.#applyLanguage();
       this.#showHidden();
       window.addEventListener("languagechange", () => this.#guard(() => this.#applyLanguage()), listening);
       if (this.model) await this.#loadModel();
       this.#drawNow();
+      if (this.#core?.problem) throw new Error(this.#core.problem);
       if (!listening.signal.aborted) this.#ready.resolve();
     } catch (error) {
       if (!listening.signal.aborted) this.#fail(error);

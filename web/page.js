@@ -135,7 +135,11 @@ function showFailure(error) {
   else if (!editor.error) say(error.message);
 }
 
-editor.addEventListener("load", showDocument);
+// The first picture does not wait for the panel beside it, which takes a while to build: it is painted first.
+editor.addEventListener("load", () => requestAnimationFrame(() => setTimeout(showDocument)), { once: true });
+editor.addEventListener("load", () => {
+  if (panelNode.dataset.state === "ready") showDocument();
+});
 editor.addEventListener("error", (event) => showFailure(event.error));
 // What a drag drives is marked while it lasts. One that ends where it began is followed by no change, so its end is looked for.
 let dragging = false;

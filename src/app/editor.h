@@ -144,7 +144,7 @@ class Editor {
 
   // --- Frames ---
   /// A GL context is current and shall be drawn into; see render/renderer.h.
-  Status attachRenderer();
+  void attachRenderer();
   void detachRenderer();        ///< the context is about to be destroyed by the host
   /// Why the picture cannot be drawn as it should, for a message; empty when all is well.
   [[nodiscard]] const std::string& problem() const;

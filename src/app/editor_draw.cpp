@@ -31,17 +31,14 @@ void dropCovered(const Box2& label, std::vector<DragMark>& marks) {
 
 }  // namespace
 
-Status Editor::attachRenderer() {
+void Editor::attachRenderer() {
   State& s = *state_;
-  auto made = Renderer::make();
-  if (!made) return made.error();
-  s.renderer = std::move(made).value();
+  s.renderer = std::make_unique<Renderer>();
   s.rendererSceneStale = true;
   s.pictureStale = true;
   s.viewStale = true;
   s.quality.start(s.renderer->context().software());
   s.problem.clear();
-  return okStatus();
 }
 
 void Editor::detachRenderer() {
@@ -61,8 +58,7 @@ void Editor::abandonRenderer() {
 /// Gives the renderer the scene when it has another one.
 void Editor::State::uploadScene() {
   if (!renderer || !rendererSceneStale) return;
-  const Status status = renderer->setScene(scene);
-  problem = status ? std::string() : status.error().message;
+  renderer->setScene(scene);
   rendererSceneStale = false;
   pictureStale = true;
 }
@@ -210,7 +206,8 @@ void Editor::State::draw(const View& view) {
   if (renderer->context().software()) options.light = LightDetail::kCoarse;
   const Overlay overlay{overlayLines, overlayArcs, overlayLeaders, dragMarks, overlayEdges};
   // A picture that cannot be drawn now will not be drawable in the next frame either: no reason to ask for one.
-  if (Status status = renderer->draw(view, overlay, options); !status) problem = status.error().message;
+  const Status status = renderer->draw(view, overlay, options);
+  problem = status ? std::string() : status.error().message;
   drawnQuality = wanted;
   pictureStale = false;
   timings.drawMs = watch.ms();

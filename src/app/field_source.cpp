@@ -16,11 +16,14 @@ constexpr double kCpuBudgetMs = 3.0;
 /// The first measurement of a scene pays for memory, so that the best of a few counts.
 constexpr int kCpuSamples = 3;
 
+/// The first answer of a context pays for its shaders, so that it does not count.
+constexpr int kGpuWarmUp = 1;
+
 }  // namespace
 
 Editor::FieldsFrom FieldSource::active(const Renderer* renderer) const {
   using From = Editor::FieldsFrom;
-  if (renderer == nullptr || from_ == From::kCpu) return From::kCpu;
+  if (renderer == nullptr || renderer->fieldsRefused() || from_ == From::kCpu) return From::kCpu;
   if (from_ == From::kGpu) return From::kGpu;
   // A software rasterizer draws the mask with the same cores, and is slower at it than the CPU's own way.
   if (renderer->context().software() || cpuSamples_ < kCpuSamples || cpuMs_ <= kCpuBudgetMs) return From::kCpu;
@@ -41,6 +44,7 @@ void FieldSource::forgetTimes() {
 void FieldSource::rendererGone() {
   flights_.clear();
   gpuMs_ = 0;
+  gpuSamples_ = 0;
 }
 
 bool FieldSource::update(const View& view, bool stale, double devicePixelRatio, Renderer* renderer) {
@@ -71,7 +75,8 @@ bool FieldSource::measureOnCpu(const View& view) {
 
 bool FieldSource::poll(Renderer& renderer) {
   const Stopwatch watch;
-  const auto number = renderer.fields().poll(arrived_);
+  GpuFields* const fields = flights_.empty() ? nullptr : renderer.fields();
+  const auto number = fields != nullptr ? fields->poll(arrived_) : std::nullopt;
   if (!number) return false;
   bool known = false;
   while (!flights_.empty() && flights_.front().number <= *number) {
@@ -80,7 +85,7 @@ bool FieldSource::poll(Renderer& renderer) {
       view_ = flight.view;
       current_ = flight.newest;
       measuredMs_ = flight.requestMs + watch.ms();
-      gpuMs_ = measuredMs_;
+      gpuMs_ = gpuSamples_++ < kGpuWarmUp ? 0.0 : measuredMs_;
       std::swap(fields_, arrived_);
       known = true;
     }
@@ -91,7 +96,8 @@ bool FieldSource::poll(Renderer& renderer) {
 
 void FieldSource::request(const View& view, double devicePixelRatio, Renderer& renderer) {
   const Stopwatch watch;
-  const std::uint64_t number = renderer.requestFields(view, devicePixelRatio);
+  GpuFields* const fields = renderer.fields();
+  const std::uint64_t number = fields != nullptr ? fields->request(renderer.scene(), view, devicePixelRatio) : 0;
   if (number == 0) return;
   flights_.push_back({number, view, true, watch.ms()});
 }
@@ -100,13 +106,14 @@ std::optional<DistanceFields> FieldSource::measure(const View& view, Editor::Fie
                                                    Renderer* renderer) {
   DistanceFields fields;
   if (from == Editor::FieldsFrom::kGpu) {
-    if (renderer == nullptr) return std::nullopt;
+    GpuFields* const gpu = renderer != nullptr ? renderer->fields() : nullptr;
+    if (gpu == nullptr) return std::nullopt;
     // Answers under way would come in the way of this one; their frames ask again.
-    while (renderer->fields().finish(fields)) {
+    while (gpu->finish(fields)) {
     }
     flights_.clear();
     current_ = false;
-    if (renderer->requestFields(view, devicePixelRatio) == 0 || !renderer->fields().finish(fields)) return std::nullopt;
+    if (gpu->request(renderer->scene(), view, devicePixelRatio) == 0 || !gpu->finish(fields)) return std::nullopt;
   } else {
     cpu_.produce(view, fields);
   }

@@ -66,7 +66,7 @@ private:
   double measuredMs_ = 0;
   // What kAuto knows about this scene on this machine.
   double cpuMs_ = 0, gpuMs_ = 0;
-  int cpuSamples_ = 0;
+  int cpuSamples_ = 0, gpuSamples_ = 0;
   std::deque<Flight> flights_;
 };
 

@@ -22,7 +22,8 @@ constexpr int kFirstPatience = 120;
 constexpr int kMostPatience = 4000;
 
 /// ms without motion after which the picture is drawn in full. Short enough to seem at once, longer than the pauses of
-/// a hand.
+/// a hand. They count from the first frame without motion: the last one with it may have taken longer than that to draw, and a full picture begun
+/// right after would come in the way of showing it.
 constexpr double kSettleMs = 120.0;
 
 }  // namespace
@@ -37,8 +38,8 @@ void QualityGovernor::noteFrame(double nowMs, bool moving) {
   const double intervalMs = nowMs - lastFrameMs_;
   const bool counts = moving && hadMotion_ && intervalMs > 0 && intervalMs < kPauseMs;
   lastFrameMs_ = nowMs;
+  if (moving || hadMotion_) lastMotionMs_ = nowMs;
   hadMotion_ = moving;
-  if (moving) lastMotionMs_ = nowMs;
   inMotion_ = moving || nowMs - lastMotionMs_ < kSettleMs;
   if (!counts || software_) return;
 

@@ -210,9 +210,8 @@ public:
       return "This is no WebGL 2 context of this module, or it is lost.";
     }
     context_ = handle;
-    const Status status = editor_.attachRenderer();
-    if (!status) context_ = 0;
-    return sentence(status);
+    editor_.attachRenderer();
+    return {};
   }
   void detachContext() {
     makeCurrent();

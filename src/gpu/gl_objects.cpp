@@ -40,7 +40,7 @@ Status checkFramebuffer(std::string_view label) {
   return Error{"The graphics driver cannot draw to the " + std::string(label) + " buffer, " + why + "."};
 }
 
-Result<Framebuffer> makeFramebuffer(const GlContext& context, std::string_view label, GLuint colorTexture, GLuint depthTexture) {
+Framebuffer bindFramebufferOf(const GlContext& context, GLuint colorTexture, GLuint depthTexture) {
   Framebuffer framebuffer(context);
   glBindFramebuffer(GL_FRAMEBUFFER, framebuffer.id());
   if (colorTexture != 0) {
@@ -51,6 +51,11 @@ Result<Framebuffer> makeFramebuffer(const GlContext& context, std::string_view l
     glReadBuffer(GL_NONE);
   }
   if (depthTexture != 0) glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, depthTexture, 0);
+  return framebuffer;
+}
+
+Result<Framebuffer> makeFramebuffer(const GlContext& context, std::string_view label, GLuint colorTexture, GLuint depthTexture) {
+  Framebuffer framebuffer = bindFramebufferOf(context, colorTexture, depthTexture);
   if (Status status = checkFramebuffer(label); !status) return status.error();
   return framebuffer;
 }

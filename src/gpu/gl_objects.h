@@ -113,7 +113,11 @@ enum class Sampling : std::uint8_t { kNearest, kLinear, kShadow };
 /// trilinear, and the levels are the caller's to fill.
 Texture makeTexture2D(const GlContext& context, GLenum internalFormat, int width, int height, Sampling sampling, int levels = 1);
 
-/// A framebuffer of those textures (0 for none), bound when it returns. An error names `label`.
+/// A framebuffer of those textures (0 for none), bound when it returns. That they can be drawn to is not checked, because that waits for everything the driver
+/// has still to do; of the formats that OpenGL ES 3.0 calls renderable, one colour or one depth texture alone always can.
+Framebuffer bindFramebufferOf(const GlContext& context, GLuint colorTexture, GLuint depthTexture);
+
+/// The same, checked. An error names `label`.
 Result<Framebuffer> makeFramebuffer(const GlContext& context, std::string_view label, GLuint colorTexture, GLuint depthTexture);
 
 /// An error naming `label` unless the bound framebuffer can be drawn to.

@@ -73,9 +73,4 @@ void Program::bindSampler(const char* name, int unit) const {
   glUniform1i(uniform(name), unit);
 }
 
-void Program::bindBlock(const char* name, GLuint binding) const {
-  const GLuint index = glGetUniformBlockIndex(program_.id(), name);
-  if (index != GL_INVALID_INDEX) glUniformBlockBinding(program_.id(), index, binding);
-}
-
 }  // namespace dimline

@@ -16,7 +16,8 @@ struct ProgramKind {
 };
 
 /// A linked pair of shaders. Construction only starts the compiler; drivers that can compile several programs at the same time, so make all
-/// of them first and ask for status() after.
+/// of them first and ask for status() after, the later the better: the first question about a program waits for all that the driver was told before. So ask
+/// before anything is drawn; a browser asks by itself when a program is first used. The one uniform block that a program has is at binding point 0.
 class Program {
  public:
   /// The texts of each stage are joined in order, behind the version line, the precision and `defines` ("#define A 1\n#define B 2\n").
@@ -39,8 +40,6 @@ class Program {
   [[nodiscard]] GLint uniform(const char* name) const { return glGetUniformLocation(program_.id(), name); }
   /// Ties a sampler to a texture unit for good. Makes the program current.
   void bindSampler(const char* name, int unit) const;
-  /// Ties a uniform block to a binding point for good, when the program has it.
-  void bindBlock(const char* name, GLuint binding) const;
 
   [[nodiscard]] GLuint id() const { return program_.id(); }
   explicit operator bool() const { return static_cast<bool>(program_); }

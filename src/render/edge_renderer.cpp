@@ -51,12 +51,6 @@ EdgeRenderer::EdgeRenderer(const GlContext& context)
   glBindVertexArray(0);
 }
 
-Status EdgeRenderer::prepare() {
-  if (Status status = program_.status(); !status) return status;
-  program_.bindBlock("Frame", kFrameBlockBinding);
-  return okStatus();
-}
-
 void EdgeRenderer::setScene(const Scene& scene) {
   findEdgeLines(scene, edges_);
   endOfClass_.assign(kClasses, 0);

@@ -14,7 +14,8 @@ namespace dimline {
 class EdgeRenderer {
  public:
   explicit EdgeRenderer(const GlContext& context);
-  Status prepare();
+  /// Waits for the compiler.
+  Status status() { return program_.status(); }
 
   void setScene(const Scene& scene);
 

@@ -32,7 +32,7 @@ struct FrameBlock {
   std::array<glm::vec4, kShadowLookUps> shadowDisc{};   ///< where they are, in texels (x, y), evenly over a disc; the others 0
 };
 
-/// Binding point of the block, in every program that has it.
+/// Binding point of the block, in every program that has it: the one at which all blocks are until told otherwise, and no program is.
 inline constexpr unsigned kFrameBlockBinding = 0;
 
 /// Towards the viewer, as FrameBlock::eye has it.

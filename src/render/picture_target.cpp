@@ -20,9 +20,7 @@ Status PictureTarget::resize(int width, int height, int samples) {
     samplesColor_ = Renderbuffer(*context_);
     glBindRenderbuffer(GL_RENDERBUFFER, samplesColor_.id());
     glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples, GL_RGBA8, width, height);
-    Result<Framebuffer> finished = makeFramebuffer(*context_, "finished picture", color_.id(), 0);
-    if (!finished) return finished.error();
-    finished_ = std::move(finished).value();
+    finished_ = bindFramebufferOf(*context_, color_.id(), 0);
   } else {
     glRenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT24, width, height);
   }

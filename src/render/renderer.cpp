@@ -16,34 +16,30 @@ constexpr double kReducedPixels = 600e3;
 
 }  // namespace
 
-Result<std::unique_ptr<Renderer>> Renderer::make() {
-  auto context = std::make_unique<GlContext>();
-  Result<GpuFields> fields = GpuFields::make(*context);
-  if (!fields) return fields.error();
-  std::unique_ptr<Renderer> renderer(new Renderer(std::move(context), std::move(fields).value()));
-  if (Status status = renderer->sceneRenderer_.prepare(); !status) return status.error();
-  if (Status status = renderer->overlayRenderer_.prepare(); !status) return status.error();
-  return renderer;
+Renderer::Renderer() : scene_(context_), sceneRenderer_(context_), overlayRenderer_(context_), target_(context_) {
+  glFlush();   // a browser hands commands on when it has many of them; the compiler shall begin now
 }
 
-Renderer::Renderer(std::unique_ptr<GlContext> context, GpuFields fields)
-    : context_(std::move(context)),
-      scene_(*context_),
-      fields_(std::move(fields)),
-      sceneRenderer_(*context_),
-      overlayRenderer_(*context_),
-      target_(*context_) {}
-
-Status Renderer::setScene(const Scene& scene) {
+void Renderer::setScene(const Scene& scene) {
   shown_.reset();
   scene_.upload(scene);
   visibilitySceneStale_ = true;
-  return sceneRenderer_.sceneChanged(scene, scene_);
+  sceneRenderer_.sceneChanged(scene, scene_);
+  glFlush();
+}
+
+GpuFields* Renderer::fields() {
+  if (!fields_ && !fieldsRefused_) {
+    Result<GpuFields> made = GpuFields::make(context_);
+    if (made) fields_.emplace(std::move(made).value());
+    fieldsRefused_ = !fields_;
+  }
+  return fields_ ? &*fields_ : nullptr;
 }
 
 std::uint64_t Renderer::requestVisibility(const Scene& scene, const View& view) {
   if (!visibility_ && !visibilityRefused_) {
-    Result<GpuVisibility> made = GpuVisibility::make(*context_);
+    Result<GpuVisibility> made = GpuVisibility::make(context_);
     if (made) visibility_.emplace(std::move(made).value());
     visibilityRefused_ = !visibility_;
   }
@@ -65,8 +61,17 @@ bool Renderer::shows(const Shown& wanted) const {
   return present == wanted;
 }
 
+Status Renderer::prepare() {
+  if (prepared_) return okStatus();
+  if (Status status = sceneRenderer_.prepare(); !status) return status;
+  if (Status status = overlayRenderer_.prepare(); !status) return status;
+  prepared_ = true;
+  return okStatus();
+}
+
 Status Renderer::draw(const View& view, const Overlay& overlay, const RenderOptions& options) {
   if (options.widthPx < 1 || options.heightPx < 1) return okStatus();
+  if (Status status = prepare(); !status) return status;
   const Shown wanted{glm::mat4(view.viewProjection()), options.widthPx, options.heightPx, options.devicePixelRatio,
                      options.quality, options.light, options.ground, options.theme};
   if (!shows(wanted)) {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <memory>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -33,34 +33,37 @@ struct RenderOptions {
 /// a reduced one would do.
 class Renderer {
  public:
-  /// An error that a person can read when the driver lacks something.
-  static Result<std::unique_ptr<Renderer>> make();
+  /// Starts the compiler for all shaders that a picture needs, and waits for nothing.
+  Renderer();
   Renderer(const Renderer&) = delete;
   Renderer& operator=(const Renderer&) = delete;
   ~Renderer() = default;
 
-  /// Replaces the model. Its light is worked out by the next draw(). An error when the driver does not take a shader that it needs.
-  Status setScene(const Scene& scene);
+  /// Replaces the model. Its light is worked out by the next draw().
+  void setScene(const Scene& scene);
 
   /// Draws a frame: the model as `view` sees it, and the overlay over it. Fills all of the framebuffer with opaque pixels. A size below one pixel draws nothing.
+  /// An error that a person can read when the driver lacks something.
   Status draw(const View& view, const Overlay& overlay, const RenderOptions& options);
 
-  /// Fields of the model, measured in this context. `requestFields` and the calls of `fields()` are as GpuFields describes them.
-  std::uint64_t requestFields(const View& view, double devicePixelRatio) { return fields_.request(scene_, view, devicePixelRatio); }
-  [[nodiscard]] GpuFields& fields() { return fields_; }
+  /// What measures fields of the model in this context; its shaders are compiled at the first call. Null when the driver does not take them.
+  [[nodiscard]] GpuFields* fields();
+  [[nodiscard]] bool fieldsRefused() const { return fieldsRefused_; }
+  [[nodiscard]] const GpuScene& scene() const { return scene_; }
 
   /// How much of each scope of `scene`, the one of setScene(), is seen, measured in this context; as GpuVisibility describes it. 0 also when the driver does
   /// not take its shaders, which are compiled at the first call.
   std::uint64_t requestVisibility(const Scene& scene, const View& view);
   std::optional<std::uint64_t> pollVisibility(ScopeVisibility& visibility);
 
-  [[nodiscard]] const GlContext& context() const { return *context_; }
+  [[nodiscard]] const GlContext& context() const { return context_; }
 
   /// The context is lost: no GL call is made from here on. Destroy the renderer; make another when there is a context again, and give it the scene.
-  void abandon() { context_->markLost(); }
+  void abandon() { context_.markLost(); }
 
  private:
-  Renderer(std::unique_ptr<GlContext> context, GpuFields fields);
+  /// Waits for the compiler, before the first picture.
+  Status prepare();
 
   /// What the finished picture shows.
   struct Shown {
@@ -76,15 +79,17 @@ class Renderer {
 
   [[nodiscard]] bool shows(const Shown& wanted) const;
 
-  std::unique_ptr<GlContext> context_;   // first: outlives everything made with it
+  GlContext context_;   // first: outlives everything made with it
   GpuScene scene_;
-  GpuFields fields_;
+  std::optional<GpuFields> fields_;
+  bool fieldsRefused_ = false;          ///< the driver does not take its shaders
   std::optional<GpuVisibility> visibility_;
   bool visibilityRefused_ = false;      ///< the driver does not take its shaders
   bool visibilitySceneStale_ = true;
   SceneRenderer sceneRenderer_;
   OverlayRenderer overlayRenderer_;
   PictureTarget target_;
+  bool prepared_ = false;
   std::optional<Shown> shown_;
   std::vector<OverlayShape> shapes_;
 };

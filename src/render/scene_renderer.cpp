@@ -26,7 +26,7 @@ constexpr int kNoiseLayers = 2;
 constexpr double kShadowSoftness = 2.1;
 
 /// Texture units.
-enum Unit : int { kUnitMaterials = 0, kUnitShadow = 1, kUnitImage = 2, kUnitSky = 3, kUnitGround = 4 };
+enum Unit : int { kUnitMaterials = 0, kUnitShadow = 1, kUnitImage = 2, kUnitSky = 3 };
 
 /// Which of a pattern's shaders draws a group.
 std::size_t variantOf(const GpuScene::Group& group) {
@@ -69,23 +69,20 @@ SceneRenderer::SceneRenderer(const GlContext& context)
 Status SceneRenderer::prepare() {
   for (Program* program : {&backdrop_, &depth_, &groundLine_}) {
     if (Status status = program->status(); !status) return status;
-    program->bindBlock("Frame", kFrameBlockBinding);
   }
-  backdrop_.bindSampler("groundLight", kUnitGround);
+  if (Status status = edges_.status(); !status) return status;
   if (Status status = shadow_.prepare(); !status) return status;
-  if (Status status = edges_.prepare(); !status) return status;
   return sky_.prepare();
 }
 
-Status SceneRenderer::sceneChanged(const Scene& source, const GpuScene& scene) {
+void SceneRenderer::sceneChanged(const Scene& source, const GpuScene& scene) {
+  startSurfaces(scene);
   edges_.setScene(source);
   shadowStale_ = true;
   lightDetail_.reset();
-  return prepareSurfaces(scene);
 }
 
-Status SceneRenderer::prepareSurfaces(const GpuScene& scene) {
-  // All are started before the first is waited for: drivers compile several at a time.
+void SceneRenderer::startSurfaces(const GpuScene& scene) {
   for (const GpuScene::Group& group : scene.groups()) {
     Program& program = surfaces_[static_cast<std::size_t>(group.pattern)].variants[variantOf(group)];
     if (program) continue;
@@ -97,13 +94,15 @@ Status SceneRenderer::prepareSurfaces(const GpuScene& scene) {
                                                shaders::surface_frag},
                                   .defines = defines});
   }
+}
+
+Status SceneRenderer::finishSurfaces(const GpuScene& scene) {
   for (const GpuScene::Group& group : scene.groups()) {
     SurfacePrograms& programs = surfaces_[static_cast<std::size_t>(group.pattern)];
     const std::size_t variant = variantOf(group);
     if (programs.ready[variant]) continue;
     Program& program = programs.variants[variant];
     if (Status status = program.status(); !status) return status;
-    program.bindBlock("Frame", kFrameBlockBinding);
     program.bindSampler("materials", kUnitMaterials);
     program.bindSampler("shadowMap", kUnitShadow);
     program.bindSampler("skyVolume", kUnitSky);
@@ -113,14 +112,11 @@ Status SceneRenderer::prepareSurfaces(const GpuScene& scene) {
   return okStatus();
 }
 
-Status SceneRenderer::updateLight(const GpuScene& scene, LightDetail wanted) {
+void SceneRenderer::updateLight(const GpuScene& scene, LightDetail wanted) {
   if (shadowStale_) shadow_.render(scene, towardsSun());
   shadowStale_ = false;
-  if (lightDetail_ && *lightDetail_ >= wanted) return okStatus();
-  const auto baked = sky_.bake(scene, shadow_, towardsSun(), wanted);
-  if (!baked) return baked.error();
-  lightDetail_ = *baked;
-  return okStatus();
+  if (lightDetail_ && *lightDetail_ >= wanted) return;
+  lightDetail_ = sky_.bake(scene, shadow_, towardsSun(), wanted);
 }
 
 void SceneRenderer::fillFrameBlock(const GpuScene& scene, const View& view, const Theme& theme, RenderQuality quality, bool ground,
@@ -164,7 +160,8 @@ void SceneRenderer::fillFrameBlock(const GpuScene& scene, const View& view, cons
 
 Status SceneRenderer::draw(const GpuScene& scene, const View& view, const Theme& theme, RenderQuality quality, LightDetail light, bool ground,
                            const PictureTarget& target, double devicePixelRatio) {
-  if (Status status = updateLight(scene, light); !status) return status;
+  if (Status status = finishSurfaces(scene); !status) return status;
+  updateLight(scene, light);
   fillFrameBlock(scene, view, theme, quality, ground, target, devicePixelRatio);
   target.bind();
   glDisable(GL_BLEND);
@@ -176,13 +173,10 @@ Status SceneRenderer::draw(const GpuScene& scene, const View& view, const Theme&
     glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
     glBindTexture(kind, texture);
   };
-  bind(kUnitMaterials, scene.materialTexture());
-  bind(kUnitShadow, shadow_.texture());
-  bind(kUnitSky, sky_.volumeTexture(), GL_TEXTURE_3D);
-  bind(kUnitGround, sky_.groundTexture());
 
   glDisable(GL_DEPTH_TEST);
   glBindVertexArray(noVertices_.id());
+  bind(kUnitMaterials, sky_.groundTexture());   // the backdrop's only one
   backdrop_.use();
   glDrawArrays(GL_TRIANGLES, 0, 3);
   if (frame_.groundFade.y > 0.0F) {
@@ -193,6 +187,9 @@ Status SceneRenderer::draw(const GpuScene& scene, const View& view, const Theme&
     glDisable(GL_BLEND);
   }
 
+  bind(kUnitMaterials, scene.materialTexture());
+  bind(kUnitShadow, shadow_.texture());
+  bind(kUnitSky, sky_.volumeTexture(), GL_TEXTURE_3D);
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_LEQUAL);
   if (quality == RenderQuality::kReduced) {

@@ -26,10 +26,11 @@ enum class RenderQuality : std::uint8_t {
 class SceneRenderer {
  public:
   explicit SceneRenderer(const GlContext& context);
+  /// To be called once before draw(): waits for the compiler.
   Status prepare();
 
-  /// The scene has changed: its edges are found and shaders for its materials compiled; its light will be worked out anew by the next draw().
-  Status sceneChanged(const Scene& source, const GpuScene& scene);
+  /// The scene has changed: its edges are found and shaders for its materials are on their way; its light will be worked out anew by the next draw().
+  void sceneChanged(const Scene& source, const GpuScene& scene);
 
   /// Fills the bound target. `devicePixelRatio`: of the target.
   Status draw(const GpuScene& scene, const View& view, const Theme& theme, RenderQuality quality, LightDetail light, bool ground,
@@ -41,10 +42,12 @@ class SceneRenderer {
     std::array<Program, 2> variants;
     std::array<bool, 2> ready{};
   };
-  /// Compiles what the scene's materials need and is not there yet.
-  Status prepareSurfaces(const GpuScene& scene);
+  /// Starts the compiler for what the scene's materials need and is not there yet. All are started before the first is waited for: drivers compile several
+  /// at a time.
+  void startSurfaces(const GpuScene& scene);
+  Status finishSurfaces(const GpuScene& scene);
   /// Shadow and sky light; nothing to do when the present ones are as fine as `wanted`.
-  Status updateLight(const GpuScene& scene, LightDetail wanted);
+  void updateLight(const GpuScene& scene, LightDetail wanted);
   void fillFrameBlock(const GpuScene& scene, const View& view, const Theme& theme, RenderQuality quality, bool ground,
                       const PictureTarget& target, double devicePixelRatio);
 

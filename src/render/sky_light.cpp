@@ -32,8 +32,8 @@ constexpr Fineness fineness(LightDetail detail) {
 /// Of the ground's map of the sky; it is blurred by them.
 constexpr int kGroundSkyLevels = 4;
 
-/// Uniform block of the maps.
-constexpr GLuint kMapsBinding = 1;
+/// Binding point of the maps' uniform block: the one that needs no telling.
+constexpr GLuint kMapsBinding = 0;
 
 /// How wide the sun's disc is, as the sine of its radius. Several times the real one: shadows on the ground soften visibly with their distance.
 constexpr double kSunRadius = 0.022F;
@@ -78,10 +78,6 @@ Status SkyLight::prepare() {
   for (Program* program : {&depthProgram_, &volumeProgram_, &groundSkyProgram_, &groundProgram_}) {
     if (Status status = program->status(); !status) return status;
   }
-  for (const Program* program : {&volumeProgram_, &groundSkyProgram_}) {
-    program->bindBlock("SkyMaps", kMapsBinding);
-    program->bindSampler("skyMaps", 0);
-  }
   depthMatrix_ = depthProgram_.uniform("worldToClip");
   volumeOriginUniform_ = volumeProgram_.uniform("firstPoint");
   volumeSlice_ = volumeProgram_.uniform("spacing");
@@ -99,13 +95,11 @@ Status SkyLight::prepare() {
   glSamplerParameteri(plainDepths_.id(), GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
   glSamplerParameteri(plainDepths_.id(), GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
   atlas_ = makeTexture2D(*context_, GL_DEPTH_COMPONENT16, kTileSize * kTilesAcross, kTileSize * kTilesDown, Sampling::kShadow);
-  Result<Framebuffer> framebuffer = makeFramebuffer(*context_, "sky map", 0, atlas_.id());
-  if (!framebuffer) return framebuffer.error();
-  atlasFramebuffer_ = std::move(framebuffer).value();
+  atlasFramebuffer_ = bindFramebufferOf(*context_, 0, atlas_.id());
   return okStatus();
 }
 
-Result<LightDetail> SkyLight::bake(const GpuScene& scene, const SunShadow& shadow, const Vec3& towardsSun, LightDetail detail) {
+LightDetail SkyLight::bake(const GpuScene& scene, const SunShadow& shadow, const Vec3& towardsSun, LightDetail detail) {
   const Bounds& bounds = scene.bounds();
   if (bounds.empty()) return detail;
   if (detail == LightDetail::kStretched && !alike(bounds.size(), skyOf_)) detail = LightDetail::kRough;
@@ -118,19 +112,17 @@ Result<LightDetail> SkyLight::bake(const GpuScene& scene, const SunShadow& shado
   glDisable(GL_BLEND);
   glBindVertexArray(noVertices_.id());
   placeGround(bounds, towardsSun);
-  Status status = okStatus();
   if (!stretch) {
     glBindBuffer(GL_UNIFORM_BUFFER, mapsBuffer_.id());
     glBufferData(GL_UNIFORM_BUFFER, sizeof(maps_), &maps_, GL_DYNAMIC_DRAW);
     glBindBufferBase(GL_UNIFORM_BUFFER, kMapsBinding, mapsBuffer_.id());
-    status = bakeVolume(bounds, detail);
-    if (status) status = bakeGroundSky(detail);
+    bakeVolume(bounds, detail);
+    bakeGroundSky(detail);
   }
   placeVolume(bounds);
-  if (status) status = bakeGround(shadow, detail);
+  bakeGround(shadow, detail);
   glBindVertexArray(0);
   glActiveTexture(GL_TEXTURE0);
-  if (!status) return status.error();
   return detail;
 }
 
@@ -161,7 +153,7 @@ void SkyLight::drawAtlas(const GpuScene& scene, LightDetail detail) {
   maps_.count = glm::ivec4(static_cast<int>(count), 0, 0, 0);
 }
 
-Status SkyLight::bakeVolume(const Bounds& bounds, LightDetail detail) {
+void SkyLight::bakeVolume(const Bounds& bounds, LightDetail detail) {
   const Vec3 size = bounds.size();
   const double longest = std::max({size.x, size.y, size.z, 1e-6});
   // Surfaces look up a point one spacing outside themselves, so the grid reaches that far beyond the box.
@@ -190,14 +182,10 @@ Status SkyLight::bakeVolume(const Bounds& bounds, LightDetail detail) {
   glBindTexture(GL_TEXTURE_2D, atlas_.id());
   for (int z = 0; z < points.z; ++z) {
     glFramebufferTextureLayer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, volume_.id(), 0, z);
-    if (z == 0) {
-      if (Status status = checkFramebuffer("sky volume"); !status) return status;
-    }
     const glm::vec3 point(first + Vec3(0, 0, z * spacing));
     glUniform3fv(volumeOriginUniform_, 1, glm::value_ptr(point));
     glDrawArrays(GL_TRIANGLES, 0, 3);
   }
-  return okStatus();
 }
 
 void SkyLight::placeVolume(const Bounds& bounds) {
@@ -222,14 +210,13 @@ void SkyLight::placeGround(const Bounds& bounds, const Vec3& towardsSun) {
   groundSquare_ = glm::vec4(area.center().x, area.center().z, half, bounds.min.y);
 }
 
-Status SkyLight::bakeGroundSky(LightDetail detail) {
+void SkyLight::bakeGroundSky(LightDetail detail) {
   const Fineness fine = fineness(detail);
   if (groundSkySize_ != fine.groundSky) {
     groundSky_ = makeTexture2D(*context_, GL_R8, fine.groundSky, fine.groundSky, Sampling::kLinear, kGroundSkyLevels);
     groundSkySize_ = fine.groundSky;
   }
-  Result<Framebuffer> sky = makeFramebuffer(*context_, "sky on the ground", groundSky_.id(), 0);
-  if (!sky) return sky.error();
+  const Framebuffer sky = bindFramebufferOf(*context_, groundSky_.id(), 0);
   glViewport(0, 0, fine.groundSky, fine.groundSky);
   groundSkyProgram_.use();
   glUniform4fv(groundSkySquare_, 1, glm::value_ptr(groundSquare_));
@@ -239,17 +226,15 @@ Status SkyLight::bakeGroundSky(LightDetail detail) {
 
   glBindTexture(GL_TEXTURE_2D, groundSky_.id());
   glGenerateMipmap(GL_TEXTURE_2D);
-  return okStatus();
 }
 
-Status SkyLight::bakeGround(const SunShadow& shadow, LightDetail detail) {
+void SkyLight::bakeGround(const SunShadow& shadow, LightDetail detail) {
   const Fineness fine = fineness(detail);
   if (groundSize_ != fine.ground) {
     ground_ = makeTexture2D(*context_, GL_RG8, fine.ground, fine.ground, Sampling::kLinear);
     groundSize_ = fine.ground;
   }
-  Result<Framebuffer> ground = makeFramebuffer(*context_, "light on the ground", ground_.id(), 0);
-  if (!ground) return ground.error();
+  const Framebuffer ground = bindFramebufferOf(*context_, ground_.id(), 0);
   glViewport(0, 0, fine.ground, fine.ground);
   groundProgram_.use();
   glUniform4fv(groundSquareUniform_, 1, glm::value_ptr(groundSquare_));
@@ -269,7 +254,6 @@ Status SkyLight::bakeGround(const SunShadow& shadow, LightDetail detail) {
   glBindTexture(GL_TEXTURE_2D, shadow.texture());
   glDrawArrays(GL_TRIANGLES, 0, 3);
   glBindSampler(1, 0);
-  return okStatus();
 }
 
 }  // namespace dimline

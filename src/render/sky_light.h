@@ -34,7 +34,7 @@ class SkyLight {
 
   /// Works out the light, and gives how finely: roughly where it should be stretched and the two models are too different. `shadow` must have been rendered
   /// for this scene and sun.
-  Result<LightDetail> bake(const GpuScene& scene, const SunShadow& shadow, const Vec3& towardsSun, LightDetail detail);
+  LightDetail bake(const GpuScene& scene, const SunShadow& shadow, const Vec3& towardsSun, LightDetail detail);
 
   /// RGBA8: a point's visible sky. rgb: 0.5 + 2/3 of the first-order coefficients (x, y, z); a: twice the constant one.
   [[nodiscard]] GLuint volumeTexture() const { return volume_.id(); }
@@ -58,9 +58,9 @@ class SkyLight {
   };
 
   void drawAtlas(const GpuScene& scene, LightDetail detail);
-  Status bakeVolume(const Bounds& bounds, LightDetail detail);
-  Status bakeGroundSky(LightDetail detail);
-  Status bakeGround(const SunShadow& shadow, LightDetail detail);
+  void bakeVolume(const Bounds& bounds, LightDetail detail);
+  void bakeGroundSky(LightDetail detail);
+  void bakeGround(const SunShadow& shadow, LightDetail detail);
   void placeVolume(const Bounds& bounds);
   void placeGround(const Bounds& bounds, const Vec3& towardsSun);
 

@@ -21,9 +21,7 @@ Status SunShadow::prepare() {
   if (Status status = program_.status(); !status) return status;
   matrix_ = program_.uniform("worldToClip");
   depth_ = makeTexture2D(*context_, GL_DEPTH_COMPONENT24, kMapSize, kMapSize, Sampling::kShadow);
-  Result<Framebuffer> framebuffer = makeFramebuffer(*context_, "shadow", 0, depth_.id());
-  if (!framebuffer) return framebuffer.error();
-  framebuffer_ = std::move(framebuffer).value();
+  framebuffer_ = bindFramebufferOf(*context_, 0, depth_.id());
   return okStatus();
 }
 

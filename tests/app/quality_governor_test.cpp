@@ -49,6 +49,17 @@ TEST_CASE("when the motion ends the picture is drawn in full soon after") {
   clock.rest(50);
   REQUIRE(clock.governor.reduced());  // perhaps the hand only pauses
   clock.rest(100);
+  REQUIRE(clock.governor.reduced());
+  clock.rest(50);
+  REQUIRE_FALSE(clock.governor.reduced());
+}
+
+TEST_CASE("a picture that took long is shown before a better one is begun") {
+  Clock clock(true);
+  clock.move(1, 50);
+  clock.rest(900);
+  REQUIRE(clock.governor.reduced());
+  clock.rest(150);
   REQUIRE_FALSE(clock.governor.reduced());
 }
 

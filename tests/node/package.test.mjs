@@ -1,9 +1,11 @@
 // web/ as the package that hosts install: it can be imported where there is no DOM, and its core works there.
 import { test } from "node:test";
 import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
 import { createCore } from "../../web/core.js";
 
 const url = new URL("../../build/wasm/dimline.js", import.meta.url);
+const kWeb = new URL("../../web/", import.meta.url);
 
 async function openCore(t) {
   const core = await createCore({ url });
@@ -61,4 +63,19 @@ test("two cores are two documents", async (t) => {
 test("a module that is not there is an Error that names it", async () => {
   await assert.rejects(createCore({ url: new URL("nowhere.js", url) }), /nowhere\.js/);
   await assert.rejects(createCore({ url: new URL("../../tools/node_reporter.mjs", url) }), /dimline\.wasm|core/);
+});
+
+test("the page's head names every module that the page runs, so that none is asked for only when another has come", () => {
+  const needed = new Set();
+  const follow = (name) => {
+    if (needed.has(name)) return;
+    needed.add(name);
+    const text = readFileSync(new URL(name, kWeb), "utf8").replace(/\/\*[^]*?\*\//g, "");
+    for (const [, imported] of text.matchAll(/^import\s[^;]*?"\.\/([^"]+)";/gm)) follow(imported);
+  };
+  follow("page.js");
+  assert.ok(needed.size > 20);
+  const html = readFileSync(new URL("index.html", kWeb), "utf8");
+  const preloaded = [...html.matchAll(/<link rel="modulepreload" href="([^"]+)">/g)].map(([, href]) => href);
+  assert.deepEqual(preloaded.filter((href) => !href.startsWith("build/")).sort(), [...needed].filter((name) => name !== "page.js").sort());
 });

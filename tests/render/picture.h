@@ -52,19 +52,10 @@ inline double meanDifference(const Picture& a, const Picture& b) {
 
 /// A renderer in a GL context of its own, and a framebuffer to draw into.
 struct PictureFixture : GlTestContext {
-  std::unique_ptr<Renderer> renderer = makeRenderer();
+  std::unique_ptr<Renderer> renderer = std::make_unique<Renderer>();
   RenderOptions options;
 
-  static std::unique_ptr<Renderer> makeRenderer() {
-    Result<std::unique_ptr<Renderer>> made = Renderer::make();
-    if (!made) FAIL(made.error().message);
-    return std::move(made).value();
-  }
-
-  void setScene(const Scene& scene) const {
-    const Status status = renderer->setScene(scene);
-    if (!status) FAIL(status.error().message);
-  }
+  void setScene(const Scene& scene) const { renderer->setScene(scene); }
 
   Picture draw(const View& view, double ratio = 1, const Overlay& overlay = {}) {
     Picture picture;
