@@ -116,6 +116,11 @@ inline constexpr int kPatienceFrames = 15;
 /// rad. A frame in which the view turns by more counts as several for how long a scope has been in sight, so that a quick turn drops what it hides at once.
 inline constexpr double kFrameTurnRad = 0.0174;
 
+/// rad. How much further the view is thought to turn by whoever needs a new place (placement/foresight.h), and what a place costs that will be none then. About as many frames of a
+/// steady orbit as kReturnFrames. A shorter way ahead: lines go where they cannot stay. A higher price: they go far, or across extension lines, to last longer.
+inline constexpr double kForesightRad = 0.349;
+inline constexpr double kScoreSoonGone = -12.0 * kHandleSpacingPx;
+
 /// rad. A view that has turned by more than this since the last frame is another picture, not the next one of a movement: what was chosen
 /// for the last one is forgotten. A quick flick of the hand turns by less even at ten frames a second.
 inline constexpr double kForgetTurnRad = 0.6;
@@ -130,7 +135,7 @@ inline constexpr double kHurryFactor = 5.0;
 /// Beyond the paper: a line across another's extension line misleads, two extension lines that cross do not; the first costs this more than Intersect,
 /// and more than staying is worth. With one that stood there in the last frame, and may move yet, it costs the second: as much, and each would
 /// flee from the other.
-inline constexpr double kScoreCrossesExtension = -11.5 * kHandleSpacingPx;
+inline constexpr double kScoreCrossesExtension = -16.0 * kHandleSpacingPx;
 inline constexpr double kScoreCrossesAhead = -6.0 * kHandleSpacingPx;
 
 /// Beyond the paper: principle 6, shorter lines nearer to the model. The order of placing brings that about unless a shorter line had to go far out; a longer

@@ -1,5 +1,6 @@
 #include "math/camera.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <glm/ext/matrix_clip_space.hpp>
@@ -120,6 +121,8 @@ double View::metresPerPixelAt(const Vec3& p) const {
   if (orthographic()) return *camera_.orthoHeightM / heightPx_;
   return 2 * std::tan(camera_.fovRad * 0.5) * std::max(depth(p), nearM_) / heightPx_;
 }
+
+double turnBetween(const View& a, const View& b) { return std::acos(std::clamp(glm::dot(a.forward(), b.forward()), -1.0, 1.0)); }
 
 Camera threeQuarterView(const Bounds& bounds, double widthPx, double heightPx) {
   Camera camera;

@@ -81,6 +81,9 @@ class View {
   glm::dmat4x3 worldToPixels_{1.0};
 };
 
+/// The angle (rad) between two views' directions.
+double turnBetween(const View& a, const View& b);
+
 /// The three-quarter view in which the page opens: from the front right, a little above, with the box of `bounds` filling
 /// about 60 % of the viewport so that dimension lines have room.
 Camera threeQuarterView(const Bounds& bounds, double widthPx, double heightPx);

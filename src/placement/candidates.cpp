@@ -92,7 +92,7 @@ bool placeAt(Candidate& candidate, const Slide& slide, double offsetM, const Vie
 }
 
 /// Scores the placed candidate and keeps it, when it is long enough.
-void keep(const CandidateContext& context, Candidate& candidate, std::vector<Candidate>& candidates) {
+void keep(const CandidateContext& context, const UsableBaseLine& base, Candidate& candidate, std::vector<Candidate>& candidates) {
   if (candidate.lineScreen.length() < context.leastPx) return;
   // Before a still camera it is the place itself that is looked for: the same identity may have others, on guides.
   if (context.only != nullptr && !context.viewMoved && !context.history.stays(candidate.identity, away(candidate.baseScreen, candidate.lineScreen))) return;
@@ -105,6 +105,11 @@ void keep(const CandidateContext& context, Candidate& candidate, std::vector<Can
                            .planeKind = candidate.plane.kind,
                            .facing = candidate.plane.facing}) +
                     candidate.hysteresis;
+  const Identity& identity = candidate.identity;
+  if (identity != context.history.last() &&
+      !context.foresight.lasts(base.line, context.annotation.slip, candidate.plane, identity.direction, candidate.offsetM)) {
+    candidate.score += kScoreSoonGone;
+  }
   candidates.push_back(candidate);
 }
 
@@ -188,7 +193,7 @@ void gatherGuideCandidates(const CandidateContext& context, const UsableBaseLine
       if (!slide || leastClearingOffset(context.paddedModel, *slide) > offsetM * (1 + kRoundingShare)) continue;
       candidate.placement = PlacementKind::kGuide;
       candidate.guide = static_cast<int>(i);
-      if (placeAt(candidate, *slide, offsetM, context.view)) keep(context, candidate, candidates);
+      if (placeAt(candidate, *slide, offsetM, context.view)) keep(context, base, candidate, candidates);
     }
   });
 }
@@ -207,12 +212,12 @@ void gatherOutsideCandidates(const CandidateContext& context, const UsableBaseLi
       const double relaxedM = std::min(context.history.relaxedOffsetM(offsetM, stepM), mostM);
       if (relaxedM > offsetM && placeAt(candidate, *slide, relaxedM, context.view)) {
         candidate.hasSecondOffset = true;
-        keep(context, candidate, candidates);
+        keep(context, base, candidate, candidates);
         candidate.hasSecondOffset = false;
         candidate.secondOffset = true;
       }
     }
-    if (placeAt(candidate, *slide, offsetM, context.view)) keep(context, candidate, candidates);
+    if (placeAt(candidate, *slide, offsetM, context.view)) keep(context, base, candidate, candidates);
   });
 }
 

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "model/annotation.h"
+#include "placement/foresight.h"
 #include "placement/guides.h"
 #include "placement/history.h"
 #include "placement/layout.h"
@@ -64,6 +65,7 @@ struct CandidateContext {
   const History& history;              ///< the parameter's choices before, for the term Damp and hysteresis
   double toleranceM = 0;               ///< kSamePlaneDistance of the model's size
   std::vector<SlipPlane>& planes;      ///< memory for one base line's planes
+  Foresight& foresight;
   double leastPx = 0;                  ///< length on screen of the shortest line that is shown
   const Identity* only = nullptr;      ///< the one candidate that is looked for; null: all are
   const Identity* avoid = nullptr;     ///< a candidate that is left out

@@ -36,7 +36,7 @@ bool Chooser::choose(const Measured& measured, const ChoiceContext& context, con
   if (history.hidden() && !gatherBases(measured, context, kShowAgainFactor * factor, Enough::kOne)) return false;
   if (!gatherBases(measured, context, factor, enough)) return false;
   const CandidateContext candidates{measured.annotation, context.view, context.occupied.padded(), context.occupied.paddedModel(), context.occupied.guides(),
-                                    context.objectPlanes, context.viewMoved, history, context.toleranceM, slipPlanes_,
+                                    context.objectPlanes, context.viewMoved, history, context.toleranceM, slipPlanes_, context.foresight,
                                     factor * leastLengthPx(measured.annotation), nullptr, context.avoid};
   if (context.firm && chooseAgain(measured, candidates, context)) return true;
   chainBases_.clear();

@@ -17,6 +17,7 @@ struct ChoiceContext {
   const Occupied& occupied;
   const LookAhead& lookAhead;
   const ObjectPlanesInFrame& objectPlanes;
+  Foresight& foresight;
   std::span<const Scope> scopes;
   std::span<const char> usable;             ///< one a scope: whether it may carry a line in this frame
   double toleranceM = 0;                    ///< kSamePlaneDistance of the model's size

@@ -8,6 +8,7 @@
 
 #include "core/sort_keys.h"
 #include "placement/chooser.h"
+#include "placement/foresight.h"
 #include "placement/labels.h"
 #include "placement/mending.h"
 #include "placement/other_handles.h"
@@ -87,7 +88,8 @@ void recycle(std::vector<Thing>& list, std::vector<Thing>& spare) {
 struct Placer::State {
   std::vector<Parameter> parameters;
   std::vector<Scope> scopes;
-  double modelSizeM = 0;
+  Bounds bounds;                      ///< of the model (m)
+  double toleranceM = 0;              ///< kSamePlaneDistance of its size
   std::vector<Measured> order;        ///< those with dimension lines, shortest first
   std::vector<Measured> others;       ///< those with other handles, in the order of their definition
   std::vector<ObjectPlane> objectPlanes;
@@ -99,8 +101,7 @@ struct Placer::State {
     LookAhead lookAhead;
     Mending mending;
     bool held = false;                ///< whether a line was held in the last frame
-    Mat4 viewProjection{0.0};
-    Vec3 forward{0.0};
+    std::optional<View> view;         ///< of the last frame
     std::size_t crowded = 0;          ///< how many of the shortest lines are hidden for want of room
     int crowdedFrames = kReturnFrames;   ///< moved frames since that many were found to be too few
     bool sceneChanged = false;        ///< since the last frame
@@ -125,6 +126,7 @@ struct Placer::State {
   // Memory of one frame, kept so that the next allocates nothing.
   Occupied occupied;
   Chooser chooser;
+  Foresight foresight;
   std::vector<ObjectPlaneUse> objectPlaneUses;
   std::vector<char> inView;           ///< one a scope
   std::vector<char> seen;             ///< one a scope: in view, and not hidden by the model
@@ -162,6 +164,7 @@ void Placer::forget() {
   past.lookAhead.forget();
   past.mending = {};
   past.sights.clear();
+  past.view.reset();
 }
 
 struct Placer::Memory::Content {
@@ -197,7 +200,8 @@ void Placer::setScene(const Model& model, const Scene& scene) {
                       !std::ranges::equal(std::span(s.scopes).first(scopes), std::span(scene.scopes).first(scopes), sameScope);
   if (edited && s.scopes.size() != scene.scopes.size()) s.past.sights.clear();
   s.scopes = scene.scopes;
-  s.modelSizeM = scene.bounds.diagonal();
+  s.bounds = scene.bounds;
+  s.toleranceM = kSamePlaneDistance * scene.bounds.diagonal();
   s.parameters.assign(parameters.begin(), parameters.end());
   if (!sameModel) {
     s.past.histories.assign(s.parameters.size(), History(-1));
@@ -216,7 +220,7 @@ void Placer::setScene(const Model& model, const Scene& scene) {
   s.others.clear();
   std::vector<Measured> lines;
   std::array<std::vector<SortKey>, 2> byLength;   // of those that can be edited; of those that are only read, which take no place from the former
-  for (Measured& measured : measure(model, s.scopes, s.modelSizeM)) {
+  for (Measured& measured : measure(model, s.scopes, s.bounds.diagonal())) {
     if (sameModel) s.keepChains(before, measured);
     if (isLine(measured.annotation.type)) {
       byLength[s.parameters[measured.parameter].measure ? 1 : 0].push_back({measured.meanLengthM, static_cast<std::uint32_t>(lines.size())});
@@ -247,8 +251,9 @@ void Placer::State::keepChains(std::span<const Measured> before, const Measured&
 void Placer::place(const View& view, const DistanceFields& fields, const Values& values, Layout& layout,
                    const ScopeVisibility* visibility, std::span<const PlacedLine> held) {
   State& s = *state_;
-  const double turnRad = std::acos(std::clamp(glm::dot(view.forward(), s.past.forward), -1.0, 1.0));
+  const double turnRad = s.past.view ? turnBetween(*s.past.view, view) : 0.0;
   if (turnRad > kForgetTurnRad) forget();
+  s.foresight.begin(s.past.view, view, s.bounds, s.objectPlanes, s.toleranceM);
   const bool viewMoved = s.beginFrame(view);
   const bool sceneChanged = std::exchange(s.past.sceneChanged, false);
   s.past.lookAhead.begin(s.order, view, fields, viewMoved || sceneChanged);
@@ -318,9 +323,8 @@ void Placer::State::placeWithRoom(const FrameToPlace& frame, Layout& layout) {
 
 /// Ages what is remembered. Returns whether the view has changed since the last frame.
 bool Placer::State::beginFrame(const View& view) {
-  const bool moved = view.viewProjection() != past.viewProjection;
-  past.viewProjection = view.viewProjection();
-  past.forward = view.forward();
+  const bool moved = !past.view || view.viewProjection() != past.view->viewProjection();
+  past.view = view;
   if (moved) {
     for (History& history : past.histories) history.age();
   }
@@ -347,7 +351,7 @@ bool Placer::State::placeAll(const FrameToPlace& frame, std::size_t crowded, Lay
   }
   outcome.begin(order.size());
   bool cramped = false;
-  const ObjectPlanesInFrame object{objectPlanes, objectPlaneUses, kSamePlaneDistance * modelSizeM};
+  const ObjectPlanesInFrame object{objectPlanes, objectPlaneUses, toleranceM};
   for (std::size_t rank = 0; rank < order.size(); ++rank) {
     const Measured& measured = order[rank];
     past.lookAhead.reach(rank);
@@ -363,7 +367,7 @@ bool Placer::State::placeAll(const FrameToPlace& frame, std::size_t crowded, Lay
     } else {
       const Identity* avoid = avoided && avoided->rank == rank ? &avoided->place : nullptr;
       cramped |= placeLines(rank,
-                            {view, fields, occupied, past.lookAhead, object, scopes, usableScopes(measured.annotation), object.toleranceM, viewMoved,
+                            {view, fields, occupied, past.lookAhead, object, foresight, scopes, usableScopes(measured.annotation), object.toleranceM, viewMoved,
                              firm, avoid, showHidden},
                             values.at(measured.parameter), layout);
     }
@@ -506,7 +510,7 @@ void Placer::State::landHeld(const PlacedLine& held, Layout& layout) {
   past.histories[held.parameter].choose(held.identity, -1, away(held.baseScreen, held.lineScreen));
   int guide = -1;
   if (held.placement != PlacementKind::kInside) {
-    guide = occupied.guides().through(held.line, held.plane, kSamePlaneDistance * modelSizeM);
+    guide = occupied.guides().through(held.line, held.plane, toleranceM);
     if (guide < 0) guide = occupied.addGuide(held.plane, held.line);
     past.lookAhead.note(held.parameter, held.base, held.base, held.line);
   }

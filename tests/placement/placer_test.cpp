@@ -239,16 +239,16 @@ TEST_CASE("a chain keeps clear of a line that the extension lines of its inner m
 
 TEST_CASE("a line that another had to run into gives way in the next frames") {
   // The plate's way down is the shorter one by a little, the bays' by so much that they rather run across the plate's line; which could as well lie above.
-  Stage stage(wallWithPlateAndBays({.heightM = 12, .plateM = 5.8, .baysM = 0.5, .plateAlign = "none"}));
-  const auto isAbove = [&](const char* name) { return stage.find(name)->lineScreen.start.y < 200; };   // the wall covers y from 200 to 800
-  stage.look(straightAt(6));
+  Stage stage(wallWithPlateAndBays({.heightM = 16, .plateM = 7.8, .baysM = 0.5, .plateAlign = "none"}));
+  const auto isAbove = [&](const char* name) { return stage.find(name)->lineScreen.start.y < 100; };   // the wall covers y from 100 to 900
+  stage.look(straightAt(8));
   REQUIRE_FALSE(isAbove("Plate"));
   REQUIRE_FALSE(isAbove("Bay"));
-  for (int frame = 1; frame <= 3; ++frame) stage.look(straightAt(6 + 1e-4 * frame));
+  for (int frame = 1; frame <= 3; ++frame) stage.look(straightAt(8 + 1e-4 * frame));
   CHECK(isAbove("Plate"));
   CHECK_FALSE(isAbove("Bay"));
   for (int frame = 4; frame <= 2 * kReturnFrames; ++frame) {
-    stage.look(straightAt(6 + 1e-4 * frame));
+    stage.look(straightAt(8 + 1e-4 * frame));
     CHECK(isAbove("Plate"));
   }
 }
