@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "app/composition.h"
 #include "app/editor_state.h"
 
 namespace dimline {
@@ -187,7 +188,10 @@ void Editor::fitToView() {
   State& s = *state_;
   if (!s.loaded) return;
   s.cameraGesture.reset();
-  s.moveCamera(dimline::fitToView(s.camera, s.scene.bounds, std::max(s.widthPx, 1.0), std::max(s.heightPx, 1.0)));
+  const double width = std::max(s.widthPx, 1.0), height = std::max(s.heightPx, 1.0);
+  const Camera camera = uncentred(View(s.camera, width, height, s.scene.bounds), s.scene.bounds);
+  s.moveCamera(dimline::fitToView(camera, s.scene.bounds, width, height));
+  s.compositionDue = true;
 }
 
 void Editor::setStandardView(StandardView view) {
@@ -198,21 +202,24 @@ void Editor::setStandardView(StandardView view) {
   camera.up = {0, 1, 0};
   camera.eye = camera.target + directionOf(view);
   s.moveCamera(dimline::fitToView(camera, s.scene.bounds, std::max(s.widthPx, 1.0), std::max(s.heightPx, 1.0)));
+  s.compositionDue = true;
 }
 
 void Editor::setOrthographic(bool orthographic) {
   State& s = *state_;
   if (orthographic == s.camera.orthographic()) return;
   s.cameraGesture.reset();
-  const bool untouched = s.cameraUntouched;
+  const bool untouched = s.cameraUntouched, compositionDue = s.compositionDue;
   s.moveCamera(withProjection(s.camera, orthographic));
   s.cameraUntouched = untouched;
+  s.compositionDue = compositionDue;
 }
 
 /// Somebody chose where the camera stands.
 void Editor::State::moveCamera(const Camera& next) {
   if (!validate(next)) return;
   cameraUntouched = false;
+  compositionDue = false;
   camera = next;
   viewStale = true;
   notify(EditorEvent::kCameraChange);
@@ -226,6 +233,26 @@ void Editor::State::openingCamera() {
   camera = threeQuarterView(scene.bounds, hasSize() ? width : 1.0, hasSize() ? height : 1.0);
   if (orthographic) camera = dimline::fitToView(withProjection(camera, true), scene.bounds, width, height);
   cameraUntouched = true;
+  compositionDue = true;
+  viewStale = true;
+  notify(EditorEvent::kCameraChange);
+}
+
+/// Centres the picture with its lines. They are placed once for that, as if they were the first, and stay where they found a place: what has been centred is
+/// what will be seen.
+void Editor::State::compose() {
+  compositionDue = false;
+  if (!linesShown) return;
+  uploadScene();  // first: the driver has work to do with it meanwhile
+  const View view = currentView();
+  const auto fields = fieldSource.measure(view, FieldsFrom::kCpu, devicePixelRatio, nullptr);
+  if (!fields) return;
+  ScopeVisibility seen;
+  CpuVisibility().measure(scene, view, seen);
+  placer.forget();
+  Layout layout;
+  placer.place(view, *fields, placedValues(), layout, &seen);
+  camera = centred(layout, *fields);
   viewStale = true;
   notify(EditorEvent::kCameraChange);
 }

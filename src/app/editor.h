@@ -99,8 +99,10 @@ class Editor {
   [[nodiscard]] const Camera& camera() const;
   [[nodiscard]] bool orthographic() const { return camera().orthographic(); }
   Status setCamera(const Camera& camera);
+  /// Moves the camera along its view until the model fills the viewport, and with the next frame across it until all that is shown stands in the middle: the model,
+  /// its lines and other handles (app/composition.h). The view in which a model opens is found likewise.
   void fitToView();
-  void setStandardView(StandardView view);
+  void setStandardView(StandardView view);  ///< looks from there and fits
   /// Changes the projection and keeps what is seen at the target the same size.
   void setOrthographic(bool orthographic);
 

@@ -32,6 +32,7 @@ bool Editor::frame(double nowMs) {
     s.clearLines();
     return false;
   }
+  if (s.compositionDue) s.compose();
   const View view = s.currentView();
   s.measureAndPlace(view);
   s.animate(view);

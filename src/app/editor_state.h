@@ -72,6 +72,7 @@ struct Editor::State {
   double widthPx = 0, heightPx = 0, devicePixelRatio = 1;
   Camera camera;
   bool cameraUntouched = true;  ///< nobody chose it: it is fitted anew when the viewport gets its size
+  bool compositionDue = false;  ///< it was fitted to the model alone; the lines come into it with the next frame
   bool viewStale = true;        ///< camera, viewport or scene changed since fields were asked for
 
   // --- Gestures ---
@@ -135,6 +136,7 @@ struct Editor::State {
   void finishEdits();
   void moveCamera(const Camera& next);
   void openingCamera();
+  void compose();
   void takeModel(Model next);
   void placeAnew();
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <ostream>
 
+#include "app/composition.h"
 #include "app/json.h"
 #include "cli/field_measurer.h"
 #include "cli/layout_options.h"
@@ -12,6 +13,7 @@
 #include "placement/placer.h"
 #include "render/svg_writer.h"
 #include "silhouette/coverage_mask.h"
+#include "silhouette/cpu_fields.h"
 #include "silhouette/scope_visibility.h"
 
 namespace dimline {
@@ -121,7 +123,7 @@ void writeHeader(const Job& job, JsonWriter& json) {
 }
 
 /// Lays out one frame after the other. Pictures are written as they are made; the JSON when all is well.
-Status layOut(const Job& job, FieldMeasurer& measurer, JsonWriter& json) {
+Status layOut(Job& job, FieldMeasurer& measurer, JsonWriter& json) {
   const LayoutOptions& options = job.options;
   Placer placer;
   placer.setScene(job.model, job.scene);
@@ -129,6 +131,16 @@ Status layOut(const Job& job, FieldMeasurer& measurer, JsonWriter& json) {
   ScopeVisibility seen;
   DistanceFields fields;
   Layout layout;
+  if (!options.camerasPath && !options.camera) {
+    // As the page opens: centred with its lines.
+    const View view(job.cameras[0], options.widthPx, options.heightPx, job.scene.bounds);
+    CpuFields onCpu;
+    onCpu.setScene(job.scene);
+    onCpu.produce(view, fields);
+    visibility.measure(job.scene, view, seen);
+    placer.place(view, fields, job.values, layout, &seen);
+    job.cameras[0] = centred(layout, fields);
+  }
   json.key("frames").beginArray();
   for (std::size_t i = 0; i < job.cameras.size(); ++i) {
     const View view(job.cameras[i], options.widthPx, options.heightPx, job.scene.bounds);

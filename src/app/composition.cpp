@@ -1,0 +1,73 @@
+#include "app/composition.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace dimline {
+
+namespace {
+
+/// The most by which the picture is moved, as a share of the viewport: a model weighs more than a thin line far below it, and must not be driven into a corner.
+constexpr double kMostShift = 0.12;
+
+/// A perspective camera that looks so nearly along an axis of the world is meant to.
+constexpr double kAxisTolerance = 1e-9;
+
+bool mayTurn(const View& view) {
+  if (view.orthographic()) return false;
+  const Vec3 forward = glm::abs(view.forward());
+  return std::max({forward.x, forward.y, forward.z}) < 1.0 - kAxisTolerance;
+}
+
+void add(Box2& box, const Box2& other) {
+  box.add(other.min);
+  box.add(other.max);
+}
+
+}  // namespace
+
+Box2 coveredBox(const Layout& layout, const DistanceFields& fields) {
+  Box2 box;
+  const auto nearest = [&](ViewportEdge edge) { return static_cast<double>(fields[edge].node(1).min); };
+  if (nearest(ViewportEdge::kLeft) < kNoSilhouette) {
+    add(box, {{nearest(ViewportEdge::kLeft), nearest(ViewportEdge::kTop)},
+              {fields.widthPx - nearest(ViewportEdge::kRight), fields.heightPx - nearest(ViewportEdge::kBottom)}});
+  }
+  for (const PlacedLine& line : layout.lines) {
+    box.add(line.lineScreen.start);
+    box.add(line.lineScreen.end);
+    for (const Vec2& point : line.extensionStart) box.add(point);
+    for (const Vec2& point : line.extensionEnd) box.add(point);
+    if (line.label) add(box, *line.label);
+  }
+  for (const PlacedHandle& other : layout.others) {
+    add(box, other.box);
+    for (const Handle& handle : other.handles) box.add(handle.screen);
+  }
+  return box;
+}
+
+Camera centred(const Layout& layout, const DistanceFields& fields) {
+  const View& view = layout.view;
+  const Box2 box = coveredBox(layout, fields);
+  if (box.empty() || !(view.orthographic() || mayTurn(view))) return view.camera();
+  const Vec2 middle = view.viewport().center(), most = view.viewport().max * kMostShift;
+  const View::Ray ray = view.rayThrough(middle + glm::clamp(box.center() - middle, -most, most));
+  Camera camera = view.camera();
+  const double distance = glm::length(camera.target - camera.eye);
+  camera.eye = ray.origin;   // an orthographic one's is across the view, a perspective one's the same
+  camera.target = ray.origin + ray.direction * distance;
+  return camera;
+}
+
+Camera uncentred(const View& view, const Bounds& bounds) {
+  Camera camera = view.camera();
+  if (!mayTurn(view) || bounds.empty() || !view.inFrontOfNear(bounds.center())) return camera;
+  const Vec2 fromMiddle = glm::abs(view.toScreen(bounds.center()) - view.viewport().center());
+  // A pixel of slack: the middle of the turned picture is not quite where that of the other was.
+  const Vec2 most = view.viewport().max * (kMostShift * 1.1) + 1.0;
+  if (fromMiddle.x < most.x && fromMiddle.y < most.y) camera.target = bounds.center();
+  return camera;
+}
+
+}  // namespace dimline

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "math/camera.h"
+#include "placement/layout.h"
+#include "silhouette/distance_fields.h"
+
+namespace dimline {
+
+/// All that a layout and the model under it cover on screen (px): silhouette, lines with extension lines and labels, other handles. `fields`: the model's
+/// own, of the layout's view. Empty when nothing is to be seen.
+Box2 coveredBox(const Layout& layout, const DistanceFields& fields);
+
+/// The layout's camera, but with as much room on the left of all that is covered as on its right, and as much above as below, within reason. A camera that is fitted to a
+/// model knows nothing of the lines, and these do not stand around it evenly. The eye stays where it is and turns, so that the same is seen from the same side
+/// (an orthographic one is moved, which comes to the same). One that looks along an axis of the world stays as it is: a front view is one from right in front.
+Camera centred(const Layout& layout, const DistanceFields& fields);
+
+/// Takes back what centred() may have done to a camera that looked at the middle of `bounds`, so that fitting it again leads to the same view. Cameras that
+/// look elsewhere stay as they are.
+Camera uncentred(const View& view, const Bounds& bounds);
+
+}  // namespace dimline
