@@ -16,6 +16,9 @@ import { makeDeferred, Waiting } from "./waiting.js";
 // In node there is no DOM: the module can be imported there, and the element not be made.
 const Base = globalThis.HTMLElement ?? class {};
 
+// Two frames of most screens.
+const kLateMs = 34;
+
 /** The context, or else the core that is coming is let go when it comes. */
 function makeContextBefore(coming, canvas) {
   try {
@@ -442,9 +445,11 @@ export class DimlineEditor extends Base {
 
   #requestFrame() {
     if (this.#frameRequest || !this.#core || !this.#size) return;
-    this.#frameRequest = requestAnimationFrame((nowMs) => {
+    this.#frameRequest = requestAnimationFrame((frameMs) => {
       this.#frameRequest = 0;
-      this.#frame(nowMs);
+      // The browser's time of a frame lies far back when something has kept it waiting, and what is timed by it would be over at once.
+      const nowMs = performance.now();
+      this.#frame(nowMs - frameMs < kLateMs ? frameMs : nowMs);
     });
   }
 
