@@ -9,6 +9,11 @@ double cross(const Vec2& a, const Vec2& b) { return a.x * b.y - a.y * b.x; }
 }  // namespace
 
 bool segmentsCross(const Segment2& a, const Segment2& b, double byPx) {
+  for (int axis = 0; axis < 2; ++axis) {
+    // Most pairs lie beside each other.
+    if (std::max(a.start[axis], a.end[axis]) < std::min(b.start[axis], b.end[axis])) return false;
+    if (std::max(b.start[axis], b.end[axis]) < std::min(a.start[axis], a.end[axis])) return false;
+  }
   const Vec2 da = a.end - a.start;
   const Vec2 db = b.end - b.start;
   // Each is the distance of an end from the other's carrier, times that one's length.
@@ -53,6 +58,12 @@ std::optional<Segment2> clipped(const Segment2& s, const Box2& box) {
   return Segment2{s.start + d * enter, s.start + d * leave};
 }
 
-bool meets(const Segment2& s, const Box2& box) { return clipped(s, box).has_value(); }
+bool meets(const Segment2& s, const Box2& box) {
+  for (int axis = 0; axis < 2; ++axis) {
+    // Most lie beside it.
+    if (std::max(s.start[axis], s.end[axis]) < box.min[axis] || std::min(s.start[axis], s.end[axis]) > box.max[axis]) return false;
+  }
+  return clipped(s, box).has_value();
+}
 
 }  // namespace dimline

@@ -32,10 +32,11 @@ bool moveTo(Candidate& candidate, const Segment& line, const View& view) {
   return true;
 }
 
-bool foreshortened(const Segment& s, const View& view, double factor) {
+/// `cosLeast`: of the least angle to the view direction.
+bool foreshortened(const Segment& s, const View& view, double cosLeast) {
   const double lengthM = s.length();
   const double alongView = std::abs(glm::dot(s.end - s.start, view.directionTo(s.middle())));
-  return lengthM > 0 && alongView > std::cos(kForeshortenedAngleRad * factor) * lengthM;
+  return lengthM > 0 && alongView > cosLeast * lengthM;
 }
 
 /// A candidate of `base` on `plane`, not placed yet.
@@ -146,6 +147,7 @@ double leastLengthPx(const Annotation& annotation) { return std::max(kMinLineLen
 
 void gatherBaseLines(const Annotation& annotation, const Scope& scope, std::size_t scopeNumber, const View& view, double factor,
                      std::vector<UsableBaseLine>& lines, BaseLineTally& tally) {
+  const double cosLeast = std::cos(kForeshortenedAngleRad * factor);
   for (const BaseLine& line : baseLines(annotation, scope.box, view)) {
     const Segment& s = line.segment;
     if (!view.inFrontOfNear(s.start) || !view.inFrontOfNear(s.end)) {
@@ -155,7 +157,7 @@ void gatherBaseLines(const Annotation& annotation, const Scope& scope, std::size
     const Segment2 screen = view.toScreen(s);
     if (!meets(screen, view.viewport())) {
       ++tally.outOfView;
-    } else if (foreshortened(s, view, factor)) {
+    } else if (foreshortened(s, view, cosLeast)) {
       ++tally.foreshortened;
     } else if (!(screen.length() >= leastLengthPx(annotation) * factor)) {
       ++tally.tooShort;
@@ -169,7 +171,7 @@ void gatherChainBaseLines(const Cluster& cluster, std::int32_t number, const Vie
   for (const int side : {0, 1}) {
     const BaseLine line = chainBaseLine(cluster, side);
     if (!view.inFrontOfNear(line.segment.start) || !view.inFrontOfNear(line.segment.end)) continue;
-    if (foreshortened(line.segment, view, 1.0)) continue;
+    if (foreshortened(line.segment, view, std::cos(kForeshortenedAngleRad))) continue;
     lines.push_back({.scope = cluster.members.front().scope,
                      .scopeIndex = -1,
                      .cluster = number,

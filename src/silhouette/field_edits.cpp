@@ -128,9 +128,14 @@ public:
     std::size_t strip = static_cast<std::size_t>(first);
     const auto end = static_cast<std::size_t>(last) + 1;
     const auto [lowest, highest] = shape.across();
-    editsLow_ = reaches(lowField_, strip, end - 1, lowest);
-    editsHigh_ = reaches(highField_, strip, end - 1, extentPx_ - highest);
+    // What lies nearer to its edge than the shape's nearest is out of its reach. Most of what lands lies behind something that has landed: an extension line behind its own
+    // line, a chain's member beside the others.
+    leastLow_ = static_cast<float>(std::max(0.0, lowest));
+    leastHigh_ = static_cast<float>(std::max(0.0, extentPx_ - highest));
+    editsLow_ = lowField_.max(strip, end - 1) > leastLow_;
+    editsHigh_ = highField_.max(strip, end - 1) > leastHigh_;
     if (!editsLow_ && !editsHigh_) return;
+    inside_ = lowest >= 0 && highest <= extentPx_;
     // Where both boundaries are straight and inside the viewport over a run of strips, four are done at a time.
     const Interval plain = plainStrips(shape);
     const auto plainFirst = static_cast<std::size_t>(std::clamp(std::ceil(plain.low), first, last + 1));
@@ -144,12 +149,6 @@ public:
   }
 
 private:
-  /// Whether a shape that comes as near to the viewport edge as `nearest` can pull in a strip. Most of what lands lies behind something that has landed: an extension line
-  /// behind its own line, a chain's member beside the others.
-  static bool reaches(const DistanceField& field, std::size_t first, std::size_t last, double nearest) {
-    return field.max(first, last) > static_cast<float>(std::max(0.0, nearest));
-  }
-
   /// The places along between which both boundaries are straight and the shape is inside the viewport across.
   [[nodiscard]] Interval plainStrips(const Shape& shape) const {
     Interval plain{std::max(shape.low.straight.from, shape.high.straight.from),
@@ -171,13 +170,16 @@ private:
   }
 
   void one(const Shape& shape, std::size_t strip) {
-    const double low = shape.low.over(static_cast<double>(strip));
-    const double high = shape.high.over(static_cast<double>(strip));
+    const auto at = static_cast<double>(strip);
+    const bool pullsLow = editsLow_ && lowField_.values()[strip] > leastLow_;
+    const bool pullsHigh = editsHigh_ && highField_.values()[strip] > leastHigh_;
+    const double low = pullsLow || !inside_ ? shape.low.over(at) : 0.0;
+    const double high = pullsHigh || !inside_ ? shape.high.over(at) : extentPx_;
     // The shape is connected over a strip, so it is seen there when its interval meets [0, extent].
     if (high < 0 || low > extentPx_) return;
     const auto pull = [](float& value, double to) { value = std::min(value, static_cast<float>(std::max(0.0, to))); };
-    if (editsLow_) pull(lowField_.edit()[strip], low);
-    if (editsHigh_) pull(highField_.edit()[strip], extentPx_ - high);
+    if (pullsLow) pull(lowField_.edit()[strip], low);
+    if (pullsHigh) pull(highField_.edit()[strip], extentPx_ - high);
   }
 
   void four(const Shape& shape, std::size_t strip) {
@@ -196,8 +198,12 @@ private:
   DistanceField& lowField_;
   DistanceField& highField_;
   double extentPx_;
-  bool editsLow_ = true;    ///< whether the shape at hand can pull in that field
+  // Of the shape at hand:
+  float leastLow_ = 0;      ///< its distance from that edge where it is nearest
+  float leastHigh_ = 0;
+  bool editsLow_ = true;    ///< whether it can pull in that field
   bool editsHigh_ = true;
+  bool inside_ = false;     ///< all of it lies between the two edges
 };
 
 }  // namespace
