@@ -1,73 +1,78 @@
+#include <cmath>
+
+#include <nlohmann/json.hpp>
+
 #include "app/json.h"
-#include "app/json_value.h"
 #include "core/text.h"
+
+// nlohmann::json parses here without exceptions, and every access checks the type first.
 
 namespace dimline {
 
 namespace {
 
-using Kind = JsonValue::Kind;
+using nlohmann::json;
 
-Result<JsonValue> parse(std::string_view text, std::string_view what) {
-  auto parsed = parseJson(text);
-  if (!parsed) return Error{std::string(what) + " is not valid JSON: " + inQuotes(text) + "."};
-  return std::move(*parsed);
+Result<json> parse(std::string_view text, std::string_view what) {
+  json parsed = json::parse(text, nullptr, false);
+  if (parsed.is_discarded()) return Error{std::string(what) + " is not valid JSON: " + inQuotes(text) + "."};
+  return parsed;
 }
 
 /// The value as a person would have written it, for messages.
-std::string shown(const JsonValue& value) {
-  if (value.kind == Kind::kText) return inQuotes(value.text);
-  if (value.kind == Kind::kList) return "a list";
-  return value.kind == Kind::kObject ? "an object" : value.text.substr(0, kRecognisable);
+std::string shown(const json& value) {
+  if (value.is_string()) return inQuotes(value.get_ref<const std::string&>());
+  if (value.is_structured()) return value.is_array() ? "a list" : "an object";
+  return value.dump();
 }
 
-Result<double> valueFrom(const Parameter& parameter, const JsonValue& value) {
+Result<double> valueFrom(const Parameter& parameter, const json& value) {
   switch (parameter.type) {
     case ParameterType::kBool:
-      if (value.kind == Kind::kBool) return value.flag ? 1.0 : 0.0;
+      if (value.is_boolean()) return value.get<bool>() ? 1.0 : 0.0;
       return Error{parameter.name + " is a switch: it takes true or false, not " + shown(value) + "."};
     case ParameterType::kChoice:
-      if (value.kind == Kind::kText) return parseValue(parameter, value.text);
+      if (value.is_string()) return parseValue(parameter, value.get_ref<const std::string&>());
       return Error{parameter.name + " is a choice: it takes one of its names as a text, not " + shown(value) + "."};
     case ParameterType::kFloat:
     case ParameterType::kInt:
     case ParameterType::kAngle:
       break;
   }
-  if (value.kind != Kind::kNumber) return Error{parameter.name + " takes a number, not " + shown(value) + "."};
-  return clampValue(parameter, value.number);
+  if (!value.is_number()) return Error{parameter.name + " takes a number, not " + shown(value) + "."};
+  const double number = value.get<double>();
+  if (!std::isfinite(number)) return Error{parameter.name + " takes a finite number."};
+  return clampValue(parameter, number);
 }
 
-Result<double> readNumber(const JsonValue& value, std::string_view field) {
-  if (value.kind != Kind::kNumber) return Error{std::string(field) + " must be a finite number, not " + shown(value) + "."};
-  return value.number;
+Result<double> readNumber(const json& value, std::string_view field) {
+  if (!value.is_number() || !std::isfinite(value.get<double>())) {
+    return Error{std::string(field) + " must be a finite number, not " + shown(value) + "."};
+  }
+  return value.get<double>();
 }
 
-Result<Vec3> readVec3(const JsonValue& value, std::string_view field) {
+Result<Vec3> readVec3(const json& value, std::string_view field) {
   const std::string wanted = std::string(field) + " must be a list of three finite numbers, as in [1, 2, 3]";
-  if (value.kind != Kind::kList || value.elements.size() != 3) return Error{wanted + ", not " + shown(value) + "."};
+  if (!value.is_array() || value.size() != 3) return Error{wanted + ", not " + shown(value) + "."};
   Vec3 v{0.0};
   for (int i = 0; i < 3; ++i) {
-    const JsonValue& part = value.elements[static_cast<std::size_t>(i)];
-    if (part.kind != Kind::kNumber) return Error{wanted + "."};
-    v[i] = part.number;
+    const json& part = value[static_cast<std::size_t>(i)];
+    if (!part.is_number() || !std::isfinite(part.get<double>())) return Error{wanted + "."};
+    v[i] = part.get<double>();
   }
   return v;
 }
 
-Result<Camera> cameraFrom(const JsonValue& value) {
-  if (value.kind != Kind::kObject) {
+Result<Camera> cameraFrom(const json& value) {
+  if (!value.is_object()) {
     return Error{"A camera is an object such as {\"eye\": [10, 8, 14], \"target\": [0, 3, 0], \"fovDeg\": 35}, not " +
                  shown(value) + "."};
   }
   Camera camera;
   bool hasEye = false;
   bool hasTarget = false;
-  bool hasFov = false;
-  bool hasHeight = false;
-  for (std::size_t i = 0; i < value.elements.size(); ++i) {
-    const std::string& key = value.names[i];
-    const JsonValue& field = value.elements[i];
+  for (const auto& [key, field] : value.items()) {
     const std::string name = "The camera's " + key;
     if (key == "eye" || key == "target" || key == "up") {
       const auto v = readVec3(field, name);
@@ -80,17 +85,15 @@ Result<Camera> cameraFrom(const JsonValue& value) {
       if (!number) return number.error();
       if (key == "fovDeg") {
         camera.fovRad = *number * kRadPerDeg;
-        hasFov = true;
       } else {
         camera.orthoHeightM = *number;
-        hasHeight = true;
       }
     } else {
       return Error{"A camera has eye, target, up, and fovDeg or orthoHeight; " + inQuotes(key) + " is none of these."};
     }
   }
   if (!hasEye || !hasTarget) return Error{std::string("The camera's ") + (hasEye ? "target" : "eye") + " is missing."};
-  if (hasFov && hasHeight) {
+  if (value.contains("fovDeg") && value.contains("orthoHeight")) {
     return Error{"A camera has fovDeg (perspective) or orthoHeight (orthographic), not both."};
   }
   if (Status status = validate(camera); !status) return status.error();
@@ -109,18 +112,17 @@ Result<std::vector<std::pair<std::size_t, double>>> readValues(std::span<const P
                                                                std::string_view text) {
   const auto parsed = parse(text, "The list of parameters");
   if (!parsed) return parsed.error();
-  if (parsed->kind != Kind::kObject)
+  if (!parsed->is_object())
     return Error{"Parameters are set by an object such as {\"Width\": 9}, not by " + shown(*parsed) + "."};
   std::vector<std::pair<std::size_t, double>> changes;
-  for (std::size_t i = 0; i < parsed->elements.size(); ++i) {
-    const std::string& name = parsed->names[i];
+  for (const auto& [name, value] : parsed->items()) {
     const auto index = findParameter(parameters, name);
     if (!index) {
       std::vector<std::string_view> names;
       for (const Parameter& parameter : parameters) names.push_back(parameter.name);
       return Error{"There is no parameter " + inQuotes(name) + "; this model has " + joined(names) + "."};
     }
-    const auto number = valueFrom(parameters[*index], parsed->elements[i]);
+    const auto number = valueFrom(parameters[*index], value);
     if (!number) return number.error();
     changes.emplace_back(*index, *number);
   }
@@ -136,9 +138,9 @@ Result<Camera> readCamera(std::string_view text) {
 Result<std::vector<Camera>> readCameras(std::string_view text) {
   const auto parsed = parse(text, "The list of cameras");
   if (!parsed) return parsed.error();
-  if (parsed->kind != Kind::kList) return Error{"Cameras come as a list, [{\"eye\": …}, …], not as " + shown(*parsed) + "."};
+  if (!parsed->is_array()) return Error{"Cameras come as a list, [{\"eye\": …}, …], not as " + shown(*parsed) + "."};
   std::vector<Camera> cameras;
-  for (const JsonValue& entry : parsed->elements) {
+  for (const json& entry : *parsed) {
     const auto camera = cameraFrom(entry);
     if (!camera)
       return Error{"Camera " + std::to_string(cameras.size()) + " (counted from 0): " + camera.error().message};
