@@ -130,6 +130,7 @@ struct Placer::State {
   std::vector<ObjectPlaneUse> objectPlaneUses;
   std::vector<char> inView;           ///< one a scope
   std::vector<char> seen;             ///< one a scope: in view, and not hidden by the model
+  std::vector<char> plain;            ///< those of them that what is hidden may be shown for
   std::vector<std::size_t> scopesInSight;
   std::vector<PlacedLine> spareLines;
   std::vector<PlacedHandle> spareHandles;
@@ -141,8 +142,9 @@ struct Placer::State {
   void placeWithRoom(const FrameToPlace& frame, Layout& layout);
   bool placeAll(const FrameToPlace& frame, std::size_t crowded, Layout& layout);
   void findVisible(const View& view, const ScopeVisibility* visibility, int framesOn);
-  [[nodiscard]] std::span<const char> usableScopes(const Annotation& annotation) const {
-    return annotation.occlusion && !showHidden ? seen : inView;
+  [[nodiscard]] std::span<const char> usableScopes(const Measured& measured) const {
+    if (!measured.annotation.occlusion || showHidden) return inView;
+    return past.histories[measured.parameter].hidden() ? plain : seen;
   }
   [[nodiscard]] BaseLineTally scopesOutOfSight(const Measured& measured) const;
   void labelInside(const View& view, Layout& layout);
@@ -367,7 +369,7 @@ bool Placer::State::placeAll(const FrameToPlace& frame, std::size_t crowded, Lay
     } else {
       const Identity* avoid = avoided && avoided->rank == rank ? &avoided->place : nullptr;
       cramped |= placeLines(rank,
-                            {view, fields, occupied, past.lookAhead, object, foresight, scopes, usableScopes(measured.annotation), object.toleranceM, viewMoved,
+                            {view, fields, occupied, past.lookAhead, object, foresight, scopes, usableScopes(measured), object.toleranceM, viewMoved,
                              firm, avoid, showHidden},
                             values.at(measured.parameter), layout);
     }
@@ -401,6 +403,7 @@ void Placer::State::findVisible(const View& view, const ScopeVisibility* visibil
   assert(visibility == nullptr || visibility->seenShare.size() == scopes.size());
   inView.resize(scopes.size());
   seen.resize(scopes.size());
+  plain.resize(scopes.size());
   past.sights.resize(scopes.size());
   for (std::size_t i = 0; i < scopes.size(); ++i) {
     Sight& sight = past.sights[i];
@@ -408,13 +411,14 @@ void Placer::State::findVisible(const View& view, const ScopeVisibility* visibil
     if (inView[i] == 0) sight = {};
     sight.age(framesOn);
     seen[i] = inView[i] != 0 && sight.see(visibility != nullptr ? static_cast<double>(visibility->seenShare[i]) : 1.0) ? 1 : 0;
+    plain[i] = seen[i] != 0 && sight.plain() ? 1 : 0;
   }
 }
 
 BaseLineTally Placer::State::scopesOutOfSight(const Measured& measured) const {
   BaseLineTally tally;
   for (const std::size_t scope : measured.scopes) {
-    if (usableScopes(measured.annotation)[scope] == 0) ++(inView[scope] != 0 ? tally.occluded : tally.outOfView);
+    if (usableScopes(measured)[scope] == 0) ++(inView[scope] != 0 ? tally.occluded : tally.outOfView);
   }
   return tally;
 }
@@ -520,7 +524,7 @@ void Placer::State::landHeld(const PlacedLine& held, Layout& layout) {
 }
 
 void Placer::State::placeOther(const Measured& measured, const View& view, double value, Layout& layout) {
-  const std::span<const char> usable = usableScopes(measured.annotation);
+  const std::span<const char> usable = usableScopes(measured);
   scopesInSight.clear();
   std::ranges::copy_if(measured.scopes, std::back_inserter(scopesInSight), [&](std::size_t scope) { return usable[scope] != 0; });
   History& history = past.histories[measured.parameter];

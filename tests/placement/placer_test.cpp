@@ -253,6 +253,27 @@ TEST_CASE("a line that another had to run into gives way in the next frames") {
   }
 }
 
+TEST_CASE("a line that was hidden is not shown for a feature that is about to go out of sight") {
+  // Round the box from its right side on: the door's width points at the viewer at 90 degrees, and can be read again from 101 on.
+  const auto framesShown = [](double lastSeenDeg) {
+    Stage stage(boxWithDoor());
+    ScopeVisibility visibility;
+    visibility.seenShare.assign(stage.scene.scopes.size(), 1.0F);
+    int frames = 0;
+    for (double azimuthDeg = 60; azimuthDeg <= 130; azimuthDeg += 1) {
+      for (std::size_t i = 0; i < stage.scene.scopes.size(); ++i) {
+        if (stage.scene.scopes[i].name == "Door" && azimuthDeg > lastSeenDeg) visibility.seenShare[i] = 0;
+      }
+      stage.look(orbitCamera({0, 2.5, 0}, 300, azimuthDeg, 0, 3), 1000, 1000, &visibility);
+      if (azimuthDeg == 90) REQUIRE(stage.find("DoorWidth") == nullptr);
+      if (azimuthDeg > 90 && stage.find("DoorWidth") != nullptr) ++frames;
+    }
+    return frames;
+  };
+  CHECK(framesShown(130) > 25);
+  CHECK(framesShown(99) == 0);   // at 106 it is out of sight for good
+}
+
 TEST_CASE("zoomed in until the silhouette leaves the viewport, lines lie on their base lines") {
   Stage stage(boxWithDoor());
   Camera camera = orbitCamera({0, 1, 3}, 3.5, 10, 5);

@@ -57,6 +57,18 @@ TEST_CASE("a frame in which nothing is seen of what was plainly seen means littl
   CHECK(frames == kFramesToLoseSight);
 }
 
+TEST_CASE("what only stays in sight is not plain") {
+  Sight sight = settled(true);
+  REQUIRE(sight.see(kSeenShareToKeep));
+  CHECK(sight.plain());
+  sight.age(1);
+  REQUIRE(sight.see(0.0));
+  CHECK_FALSE(sight.plain());
+  sight.age(1);
+  REQUIRE(sight.see(kSeenShareToKeep));
+  CHECK(sight.plain());
+}
+
 TEST_CASE("what has just left comes back only when plenty is seen, and later as at first") {
   Sight sight = settled(true);
   REQUIRE_FALSE(sight.see(0.0));

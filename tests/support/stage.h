@@ -25,10 +25,10 @@ struct Stage {
     producer.setScene(scene);
     placer.setScene(model, scene);
   }
-  const Layout& look(const Camera& camera, double width = 1000, double height = 1000) {
+  const Layout& look(const Camera& camera, double width = 1000, double height = 1000, const ScopeVisibility* visibility = nullptr) {
     const View view(camera, width, height, scene.bounds);
     producer.produce(view, fields);
-    placer.place(view, fields, values, layout);
+    placer.place(view, fields, values, layout, visibility);
     return layout;
   }
   [[nodiscard]] std::string nameOf(const PlacedLine& line) const { return model.parameters()[line.parameter].name; }
