@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "silhouette/scope_visibility.h"
+
 namespace dimline {
 
 namespace {
@@ -58,6 +60,15 @@ Camera centred(const Layout& layout, const DistanceFields& fields) {
   camera.eye = ray.origin;   // an orthographic one's is across the view, a perspective one's the same
   camera.target = ray.origin + ray.direction * distance;
   return camera;
+}
+
+Camera composed(const View& view, const DistanceFields& fields, const Scene& scene, const Values& values, Placer& placer) {
+  ScopeVisibility seen;
+  CpuVisibility().measure(scene, view, seen);
+  placer.forget();
+  Layout layout;
+  placer.place(view, fields, values, layout, &seen);
+  return centred(layout, fields);
 }
 
 Camera uncentred(const View& view, const Bounds& bounds) {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "math/camera.h"
-#include "placement/layout.h"
+#include "placement/placer.h"
 #include "silhouette/distance_fields.h"
 
 namespace dimline {
@@ -14,6 +14,10 @@ Box2 coveredBox(const Layout& layout, const DistanceFields& fields);
 /// model knows nothing of the lines, and these do not stand around it evenly. The eye stays where it is and turns, so that the same is seen from the same side
 /// (an orthographic one is moved, which comes to the same). One that looks along an axis of the world stays as it is: a front view is one from right in front.
 Camera centred(const Layout& layout, const DistanceFields& fields);
+
+/// centred() for a model that opens in `view`: its lines are placed once, as if they were the first, and stay where they found a place, so that what has been
+/// centred is what will be seen.
+Camera composed(const View& view, const DistanceFields& fields, const Scene& scene, const Values& values, Placer& placer);
 
 /// Takes back what centred() may have done to a camera that looked at the middle of `bounds`, so that fitting it again leads to the same view. Cameras that
 /// look elsewhere stay as they are.

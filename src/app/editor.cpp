@@ -238,8 +238,7 @@ void Editor::State::openingCamera() {
   notify(EditorEvent::kCameraChange);
 }
 
-/// Centres the picture with its lines. They are placed once for that, as if they were the first, and stay where they found a place: what has been centred is
-/// what will be seen.
+/// Centres the picture with its lines.
 void Editor::State::compose() {
   compositionDue = false;
   if (!linesShown) return;
@@ -247,12 +246,7 @@ void Editor::State::compose() {
   const View view = currentView();
   const auto fields = fieldSource.measure(view, FieldsFrom::kCpu, devicePixelRatio, nullptr);
   if (!fields) return;
-  ScopeVisibility seen;
-  CpuVisibility().measure(scene, view, seen);
-  placer.forget();
-  Layout layout;
-  placer.place(view, *fields, placedValues(), layout, &seen);
-  camera = centred(layout, *fields);
+  camera = composed(view, *fields, scene, placedValues(), placer);
   viewStale = true;
   notify(EditorEvent::kCameraChange);
 }

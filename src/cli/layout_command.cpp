@@ -137,9 +137,7 @@ Status layOut(Job& job, FieldMeasurer& measurer, JsonWriter& json) {
     CpuFields onCpu;
     onCpu.setScene(job.scene);
     onCpu.produce(view, fields);
-    visibility.measure(job.scene, view, seen);
-    placer.place(view, fields, job.values, layout, &seen);
-    job.cameras[0] = centred(layout, fields);
+    job.cameras[0] = composed(view, fields, job.scene, job.values, placer);
   }
   json.key("frames").beginArray();
   for (std::size_t i = 0; i < job.cameras.size(); ++i) {

@@ -6,13 +6,16 @@ namespace {
 
 double cross(const Vec2& a, const Vec2& b) { return a.x * b.y - a.y * b.x; }
 
+/// Whether all of a segment lies before or beyond a stretch of an axis, as most do; quickly told.
+bool liesBeside(const Segment2& s, int axis, double low, double high) {
+  return std::max(s.start[axis], s.end[axis]) < low || std::min(s.start[axis], s.end[axis]) > high;
+}
+
 }  // namespace
 
 bool segmentsCross(const Segment2& a, const Segment2& b, double byPx) {
   for (int axis = 0; axis < 2; ++axis) {
-    // Most pairs lie beside each other.
-    if (std::max(a.start[axis], a.end[axis]) < std::min(b.start[axis], b.end[axis])) return false;
-    if (std::max(b.start[axis], b.end[axis]) < std::min(a.start[axis], a.end[axis])) return false;
+    if (liesBeside(a, axis, std::min(b.start[axis], b.end[axis]), std::max(b.start[axis], b.end[axis]))) return false;
   }
   const Vec2 da = a.end - a.start;
   const Vec2 db = b.end - b.start;
@@ -59,11 +62,7 @@ std::optional<Segment2> clipped(const Segment2& s, const Box2& box) {
 }
 
 bool meets(const Segment2& s, const Box2& box) {
-  for (int axis = 0; axis < 2; ++axis) {
-    // Most lie beside it.
-    if (std::max(s.start[axis], s.end[axis]) < box.min[axis] || std::min(s.start[axis], s.end[axis]) > box.max[axis]) return false;
-  }
-  return clipped(s, box).has_value();
+  return !liesBeside(s, 0, box.min.x, box.max.x) && !liesBeside(s, 1, box.min.y, box.max.y) && clipped(s, box).has_value();
 }
 
 }  // namespace dimline

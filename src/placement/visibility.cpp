@@ -9,10 +9,19 @@ namespace dimline {
 
 bool inView(const View& view, const Obb& box) {
   const auto pixels = [&](const Vec3& v, double one) { return Vec3(view.worldToPixels() * Vec4(v, one)); };
+  // The sides of the view frustum that a point lies beyond, one bit each: near, left, right, top, bottom.
+  const auto sidesBeyond = [&](const Vec3& h, double depth) {
+    unsigned beyond = 0;
+    if (!(depth >= view.nearM())) beyond |= 1U;
+    if (h.x < 0) beyond |= 2U;
+    if (h.x > view.widthPx() * h.z) beyond |= 4U;
+    if (h.y < 0) beyond |= 8U;
+    if (h.y > view.heightPx() * h.z) beyond |= 16U;
+    return beyond;
+  };
   // Of most boxes the middle is in view, and then they are.
   const Vec3 middle = box.center();
-  const Vec3 h = pixels(middle, 1.0);
-  if (view.inFrontOfNear(middle) && h.x >= 0 && h.x <= view.widthPx() * h.z && h.y >= 0 && h.y <= view.heightPx() * h.z) return true;
+  if (sidesBeyond(pixels(middle, 1.0), view.depth(middle)) == 0) return true;
   // Homogeneous pixels, and the depth, are linear in the world: what the box's sides add to its origin's gives all corners.
   std::array<Vec3, 3> side;
   std::array<double, 3> deeper;
@@ -23,22 +32,16 @@ bool inView(const View& view, const Obb& box) {
   }
   const Vec3 origin = pixels(box.origin, 1.0);
   const double originDepth = view.depth(box.origin);
-  unsigned beyondAll = 0x1F;   // one bit a side: near, left, right, top, bottom
+  unsigned beyondAll = 0x1F;
   for (unsigned corner = 0; corner < 8; ++corner) {
-    Vec3 at = origin;
+    Vec3 h = origin;
     double depth = originDepth;
     for (std::size_t axis = 0; axis < 3; ++axis) {
       if ((corner >> axis & 1U) == 0) continue;
-      at += side[axis];
+      h += side[axis];
       depth += deeper[axis];
     }
-    unsigned beyond = 0;
-    if (!(depth >= view.nearM())) beyond |= 1U;
-    if (at.x < 0) beyond |= 2U;
-    if (at.x > view.widthPx() * at.z) beyond |= 4U;
-    if (at.y < 0) beyond |= 8U;
-    if (at.y > view.heightPx() * at.z) beyond |= 16U;
-    beyondAll &= beyond;
+    beyondAll &= sidesBeyond(h, depth);
   }
   return beyondAll == 0;
 }

@@ -28,29 +28,17 @@ void Renderer::setScene(const Scene& scene) {
   glFlush();
 }
 
-GpuFields* Renderer::fields() {
-  if (!fields_ && !fieldsRefused_) {
-    Result<GpuFields> made = GpuFields::make(context_);
-    if (made) fields_.emplace(std::move(made).value());
-    fieldsRefused_ = !fields_;
-  }
-  return fields_ ? &*fields_ : nullptr;
-}
-
 std::uint64_t Renderer::requestVisibility(const Scene& scene, const View& view) {
-  if (!visibility_ && !visibilityRefused_) {
-    Result<GpuVisibility> made = GpuVisibility::make(context_);
-    if (made) visibility_.emplace(std::move(made).value());
-    visibilityRefused_ = !visibility_;
-  }
-  if (!visibility_) return 0;
-  if (visibilitySceneStale_) visibility_->setScene(scene);
+  GpuVisibility* const measurer = visibility_.get(context_);
+  if (measurer == nullptr) return 0;
+  if (visibilitySceneStale_) measurer->setScene(scene);
   visibilitySceneStale_ = false;
-  return visibility_->request(scene_, view);
+  return measurer->request(scene_, view);
 }
 
 std::optional<std::uint64_t> Renderer::pollVisibility(ScopeVisibility& visibility) {
-  return visibility_ && !visibilitySceneStale_ ? visibility_->poll(visibility) : std::nullopt;
+  GpuVisibility* const measurer = visibility_.ifMade();
+  return measurer != nullptr && !visibilitySceneStale_ ? measurer->poll(visibility) : std::nullopt;
 }
 
 bool Renderer::shows(const Shown& wanted) const {

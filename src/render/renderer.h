@@ -47,8 +47,8 @@ class Renderer {
   Status draw(const View& view, const Overlay& overlay, const RenderOptions& options);
 
   /// What measures fields of the model in this context; its shaders are compiled at the first call. Null when the driver does not take them.
-  [[nodiscard]] GpuFields* fields();
-  [[nodiscard]] bool fieldsRefused() const { return fieldsRefused_; }
+  [[nodiscard]] GpuFields* fields() { return fields_.get(context_); }
+  [[nodiscard]] bool fieldsRefused() const { return fields_.refused(); }
   [[nodiscard]] const GpuScene& scene() const { return scene_; }
 
   /// How much of each scope of `scene`, the one of setScene(), is seen, measured in this context; as GpuVisibility describes it. 0 also when the driver does
@@ -64,6 +64,26 @@ class Renderer {
  private:
   /// Waits for the compiler, before the first picture.
   Status prepare();
+
+  /// What is made when it is first asked for; once only, should the driver not take its shaders.
+  template <typename Measurer>
+  class OnDemand {
+   public:
+    Measurer* get(const GlContext& context) {
+      if (!made_ && !refused_) {
+        Result<Measurer> made = Measurer::make(context);
+        if (made) made_.emplace(std::move(made).value());
+        refused_ = !made_;
+      }
+      return ifMade();
+    }
+    [[nodiscard]] Measurer* ifMade() { return made_ ? &*made_ : nullptr; }
+    [[nodiscard]] bool refused() const { return refused_; }
+
+   private:
+    std::optional<Measurer> made_;
+    bool refused_ = false;
+  };
 
   /// What the finished picture shows.
   struct Shown {
@@ -81,10 +101,8 @@ class Renderer {
 
   GlContext context_;   // first: outlives everything made with it
   GpuScene scene_;
-  std::optional<GpuFields> fields_;
-  bool fieldsRefused_ = false;          ///< the driver does not take its shaders
-  std::optional<GpuVisibility> visibility_;
-  bool visibilityRefused_ = false;      ///< the driver does not take its shaders
+  OnDemand<GpuFields> fields_;
+  OnDemand<GpuVisibility> visibility_;
   bool visibilitySceneStale_ = true;
   SceneRenderer sceneRenderer_;
   OverlayRenderer overlayRenderer_;
