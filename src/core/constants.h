@@ -40,6 +40,13 @@ inline constexpr double kShowAgainFactor = 1.2;
 /// px. How much further out than the least offset a line is tried, step by step, when its label has no room there.
 inline constexpr double kLabelPushStepPx = 10.0;
 inline constexpr int kLabelPushSteps = 4;
+/// In how many such steps a line that is in a tangle of lines and extension lines is tried further out, to what share of the least offset, how exactly (px) the first free
+/// offset is found, and by how much (px) the last frame's line moves there in each moved frame. Further: fewer tangles, and lines farther from what they measure. Less exactly:
+/// such a line trembles as the camera moves. Faster: fewer tangles, and lines beyond it have to leap.
+inline constexpr int kClearingSteps = 6;
+inline constexpr double kMostClearedRatio = 1.45;
+inline constexpr double kClearingPrecisionPx = 0.125;
+inline constexpr double kClearPx = 9.0;
 
 /// px. Length of an arrowhead along its line, at rest; half its width across.
 inline constexpr double kArrowLengthPx = 12.0;
@@ -102,7 +109,8 @@ inline constexpr double kChangesOfReturn = 6.0;
 inline constexpr double kScoreTangle = -20.0 * kHandleSpacingPx;
 inline constexpr double kScoreNestedWrongly = -20.0 * kHandleSpacingPx;
 inline constexpr double kScoreInside = -40.0 * kHandleSpacingPx;
-/// What it costs a line inside the model to run across another's extension line, or through a label: more than staying is worth, since its other base lines are near by.
+/// What it costs a line inside the model to run across another's extension line, through a label, or into a line inside that is still to be placed: more than staying is worth, since
+/// its other base lines are near by.
 inline constexpr double kScoreAmissInside = -22.0 * kHandleSpacingPx;
 /// Attempts at a moved frame, each about as long as placing it. More find more and cost more.
 inline constexpr int kMendingAttempts = 2;
@@ -116,9 +124,11 @@ inline constexpr int kPatienceFrames = 15;
 /// rad. A frame in which the view turns by more counts as several for how long a scope has been in sight, so that a quick turn drops what it hides at once.
 inline constexpr double kFrameTurnRad = 0.0174;
 
-/// rad. How much further the view is thought to turn by whoever needs a new place (placement/foresight.h), and what a place costs that will be none then. About as many frames of a
-/// steady orbit as kReturnFrames. A shorter way ahead: lines go where they cannot stay. A higher price: they go far, or across extension lines, to last longer.
+/// rad, and the logarithm of a ratio of sizes on screen. How much further the view is thought to turn, or to come nearer, by whoever needs a new place (placement/foresight.h), and what a
+/// place costs that will be none then. About as many frames of a steady movement as kReturnFrames. A shorter way ahead: lines go where they cannot stay. A higher price: they go far,
+/// or across extension lines, to last longer.
 inline constexpr double kForesightRad = 0.349;
+inline constexpr double kForesightZoom = 0.3;
 inline constexpr double kScoreSoonGone = -12.0 * kHandleSpacingPx;
 
 /// rad. A view that has turned by more than this since the last frame is another picture, not the next one of a movement: what was chosen
@@ -128,7 +138,7 @@ inline constexpr double kForgetTurnRad = 0.6;
 /// px a frame. A line that lies further out than it must, since one nearer to the model has gone, comes nearer by this much in each moved frame, and
 /// is further out than this share of what it must for some frames only: its way stays short without a jump.
 inline constexpr double kRelaxPx = 6.0;
-inline constexpr double kMostOffsetRatio = 1.45;
+inline constexpr double kMostOffsetRatio = 1.2;
 /// Further out than that it comes nearer by so many times kRelaxPx: quickly, and still no leap.
 inline constexpr double kHurryFactor = 5.0;
 

@@ -87,6 +87,8 @@ struct Box2 {
     max = glm::max(max, p);
   }
   [[nodiscard]] Box2 grown(double byPx) const { return {min - byPx, max + byPx}; }
+  /// Its border included; false for a NaN.
+  [[nodiscard]] bool contains(const Vec2& p) const { return p.x >= min.x && p.x <= max.x && p.y >= min.y && p.y <= max.y; }
   [[nodiscard]] bool overlaps(const Box2& o) const {
     return min.x < o.max.x && o.min.x < max.x && min.y < o.max.y && o.min.y < max.y;
   }

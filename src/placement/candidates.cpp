@@ -13,20 +13,12 @@ namespace {
 /// A guide's offset may miss the least clearing one, and a line at the greatest offset the viewport's margin, by rounding alone.
 constexpr double kRoundingShare = 1e-9;
 
-bool insideViewport(const Segment2& s, const View& view) {
-  const Box2 box = view.viewport().grown(-kViewportMarginPx);
-  for (const Vec2& p : {s.start, s.end}) {
-    // Written so that a NaN is outside.
-    if (!(p.x >= box.min.x && p.x <= box.max.x && p.y >= box.min.y && p.y <= box.max.y)) return false;
-  }
-  return true;
-}
-
 /// Puts the candidate's line at `line`; false when it is no place for a dimension line.
 bool moveTo(Candidate& candidate, const Segment& line, const View& view) {
   if (!view.inFrontOfNear(line.start) || !view.inFrontOfNear(line.end)) return false;
   const Segment2 screen = view.toScreen(line);
-  if (!insideViewport(screen, view)) return false;
+  const Box2 allowed = view.viewport().grown(-kViewportMarginPx);
+  if (!allowed.contains(screen.start) || !allowed.contains(screen.end)) return false;
   candidate.line = line;
   candidate.lineScreen = screen;
   return true;
@@ -107,10 +99,11 @@ void keep(const CandidateContext& context, const UsableBaseLine& base, Candidate
                            .facing = candidate.plane.facing}) +
                     candidate.hysteresis;
   const Identity& identity = candidate.identity;
-  if (identity != context.history.last() &&
-      !context.foresight.lasts(base.line, context.annotation.slip, candidate.plane, identity.direction, candidate.offsetM)) {
-    candidate.score += kScoreSoonGone;
-  }
+  const auto lasts = [&] {
+    return context.foresight.staysInside(candidate.line) &&
+           context.foresight.lasts(base.line, context.annotation.slip, candidate.plane, identity.direction, candidate.offsetM);
+  };
+  if (identity != context.history.last() && !lasts()) candidate.score += kScoreSoonGone;
   candidates.push_back(candidate);
 }
 
@@ -209,6 +202,7 @@ void gatherOutsideCandidates(const CandidateContext& context, const UsableBaseLi
     double offsetM = std::max(leastClearingOffset(context.padded, *slide, mostM), leastRoomM(candidate));
     if (offsetM > mostM) return;
     candidate.placement = PlacementKind::kOutside;
+    candidate.leastM = offsetM;
     if (candidate.identity == context.history.last()) {
       const double stepM = context.viewMoved ? kRelaxPx * context.view.metresPerPixelAt(candidate.foot.middle()) : 0.0;
       const double relaxedM = std::min(context.history.relaxedOffsetM(offsetM, stepM), mostM);
@@ -239,11 +233,11 @@ void gatherInsideCandidate(const CandidateContext& context, const UsableBaseLine
   // A scope whose middle is behind the viewer has no direction on screen; then length alone decides.
   const Vec2 middleScreen = context.view.inFrontOfNear(middle) ? context.view.toScreen(middle) : base.screen.middle();
   candidate.score = scoreInside(base.screen, middleScreen, context.annotation.align) + context.history.bonus(candidate.identity);
+  if (!context.foresight.staysInSight(candidate.base)) candidate.score += kScoreSoonGone;
   candidates.push_back(candidate);
 }
 
 bool pushOutward(Candidate& candidate, double byPx, const View& view) {
-  if (candidate.guide >= 0) return false;
   const Vec3 middle = candidate.line.middle();
   // One pixel's worth of world at that depth, tried along the plane: its length on screen turns pixels into metres.
   const double probeM = view.metresPerPixelAt(middle);
@@ -251,8 +245,11 @@ bool pushOutward(Candidate& candidate, double byPx, const View& view) {
   if (!view.inFrontOfNear(probe)) return false;
   const double probePx = glm::length(view.toScreen(probe) - view.toScreen(middle));
   if (!(probePx > 1e-3)) return false;
-  const double offsetM = candidate.offsetM + probeM * byPx / probePx;
-  if (!(offsetM <= candidate.mostM)) return false;
+  return pushTo(candidate, candidate.offsetM + probeM * byPx / probePx, view);
+}
+
+bool pushTo(Candidate& candidate, double offsetM, const View& view) {
+  if (candidate.guide >= 0 || !(offsetM <= candidate.mostM)) return false;
   const Vec3 move = candidate.outward * offsetM;
   if (!moveTo(candidate, {candidate.foot.start + move, candidate.foot.end + move}, view)) return false;
   candidate.offsetM = offsetM;

@@ -34,6 +34,7 @@ struct Candidate {
   SlipPlane plane;          ///< kind kNone for the fallback
   Vec3 outward{0.0};        ///< unit direction in the world in which the line was moved; zero for the fallback
   double offsetM = 0;       ///< how far, from the foot
+  double leastM = 0;        ///< how far it must be moved, outside the silhouette
   double mostM = 0;         ///< how far the plane has room
   int guide = -1;           ///< number of the guide it lies on
   double score = 0;         ///< without the Intersect term
@@ -94,8 +95,10 @@ void gatherOutsideCandidates(const CandidateContext& context, const UsableBaseLi
 /// Adds the base line itself (algorithm 1, line 9).
 void gatherInsideCandidate(const CandidateContext& context, const UsableBaseLine& base, const Obb& scope, std::vector<Candidate>& candidates);
 
-/// Moves an outside candidate further out by `byPx` on screen, for a label that has no room at the least offset. False when it would leave the
+/// Moves an outside candidate further out by `byPx` on screen, where its label has room or it runs across nothing. False when it would leave the
 /// viewport, pass the near plane or leave its part of the plane, and for one on a guide, which it must not leave.
 bool pushOutward(Candidate& candidate, double byPx, const View& view);
+/// The same, to an offset in metres.
+bool pushTo(Candidate& candidate, double offsetM, const View& view);
 
 }  // namespace dimline

@@ -25,6 +25,26 @@ double thresholdFactor(const Measured& measured, const ChoiceContext& context) {
   return context.showAll ? kShowAllLengthPx / leastLengthPx(measured.annotation) : 1.0;
 }
 
+enum class Clear { kYes, kNotYet, kNoRoom };
+
+/// How far out (px) a line must be pushed to be clear, by trial: in steps of kLabelPushStepPx as far as there is room, then halving the last one. 0 when it never is. `tryAt(px)` says what
+/// is so at a distance.
+template <typename TryAt>
+double leastClear(TryAt tryAt) {
+  double tangledPx = 0;
+  double clearPx = 0;
+  for (int step = 1; step <= kClearingSteps && clearPx == 0; ++step) {
+    const Clear found = tryAt(step * kLabelPushStepPx);
+    if (found == Clear::kNoRoom) return 0;
+    (found == Clear::kYes ? clearPx : tangledPx) = step * kLabelPushStepPx;
+  }
+  while (clearPx - tangledPx > kClearingPrecisionPx) {
+    const double middlePx = 0.5 * (tangledPx + clearPx);
+    (tryAt(middlePx) == Clear::kYes ? clearPx : tangledPx) = middlePx;
+  }
+  return clearPx;
+}
+
 }  // namespace
 
 bool Chooser::choose(const Measured& measured, const ChoiceContext& context, const History& history) {
@@ -101,7 +121,7 @@ bool Chooser::chooseOutside(std::span<const UsableBaseLine> bases, const Measure
       if (a->secondOffset != b->secondOffset) return b->secondOffset;
       return a->score != b->score ? a->score > b->score : orderOf(a->identity) < orderOf(b->identity);
     });
-    if (chooseBest(measured, context)) return true;
+    if (chooseBest(measured, context, candidates.history)) return true;
   }
   return false;
 }
@@ -119,6 +139,7 @@ Chooser::AmongOthers Chooser::amongOthers(const Candidate& candidate, const Choi
   found.nestsWithin = others.nestsWithin(base, line, candidate.guide);
   if (found.nestsWithin) found.score += kScoreNestsWithin;
   const Landed::Crossings ahead = context.lookAhead.crossings(base, foot, line);
+  found.crossesAhead = ahead.extensions;
   found.score += (ahead.lines ? kScoreIntersect : 0.0) + (ahead.extensions ? kScoreCrossesAhead : 0.0);
   if (context.lookAhead.crowds(line)) found.score += kScoreCrowdsAhead;
   if (context.lookAhead.shadows(foot, line)) found.score += kScoreShadowsAhead;
@@ -144,9 +165,48 @@ void Chooser::addMembers(AmongOthers& among, const ChoiceContext& context) {
   among.landed.labels = among.landed.labels || crossings.labels;
 }
 
+/// Moves a candidate that runs across another's extension line, or across whose extension line another runs, further out until none does, where there is such an offset and its
+/// label has room there. The last frame's choice goes there by kClearPx a frame. Beyond the paper, whose lines lie at the least offset (4.1).
+void Chooser::pushClear(Candidate& candidate, AmongOthers& among, const Measured& measured, const ChoiceContext& context, const History& history) {
+  if (!among.tangled()) return;
+  const bool last = candidate.identity == history.last();
+  const double stepM = context.viewMoved ? kClearPx * context.view.metresPerPixelAt(candidate.foot.middle()) : 0.0;
+  const double mostM = last ? history.mostOffsetM(stepM) : std::numeric_limits<double>::infinity();
+  if (candidate.offsetM >= mostM) return;
+  Candidate pushed;
+  AmongOthers amongThere;
+  const auto look = [&] {
+    if (!expand(pushed, measured, context)) return false;
+    amongThere = amongOthers(pushed, context, -std::numeric_limits<double>::infinity());
+    if (lines_.size() > 1) addMembers(amongThere, context);
+    return true;
+  };
+  const auto push = [&](double byPx) {
+    pushed = candidate;
+    return pushOutward(pushed, byPx, context.view) && pushed.offsetM <= pushed.leastM * kMostClearedRatio && look();
+  };
+  const auto clear = [&] {
+    return !(among.landed.extensions && amongThere.landed.extensions) && !(among.crossesAhead && amongThere.crossesAhead) &&
+           placeLabels(pushed, measured, context);
+  };
+  const double clearPx = leastClear([&](double byPx) { return push(byPx) ? clear() ? Clear::kYes : Clear::kNotYet : Clear::kNoRoom; });
+  const auto goThere = [&] {
+    if (clearPx == 0 || !push(clearPx) || (!last && amongThere.score <= among.score)) return false;
+    if (pushed.offsetM > mostM && !(pushTo(pushed, mostM, context.view) && look())) return false;
+    return placeLabels(pushed, measured, context);
+  };
+  if (goThere()) {
+    candidate = pushed;
+    among = amongThere;
+    return;
+  }
+  expand(candidate, measured, context);
+  placeLabels(candidate, measured, context);
+}
+
 /// computeWinner. Crossings and labels are dear, so they are looked at only for candidates that could still win: crossings only lower a
 /// score, and the candidates come in descending order.
-bool Chooser::chooseBest(const Measured& measured, const ChoiceContext& context) {
+bool Chooser::chooseBest(const Measured& measured, const ChoiceContext& context, const History& history) {
   bool found = false;
   bool firstOffsetFailed = false;
   double bestScore = 0;
@@ -166,6 +226,7 @@ bool Chooser::chooseBest(const Measured& measured, const ChoiceContext& context)
     // Its label may have pushed it to where it runs into more.
     if (candidate.lineScreen.start != triedAt.start) among = inPlace();
     if (lines_.size() > 1) addMembers(among, context);
+    pushClear(candidate, among, measured, context, history);
     if (beaten(among.score)) continue;
     found = true;
     bestScore = among.score;
@@ -184,6 +245,7 @@ void Chooser::chooseInside(const CandidateContext& candidates, const ChoiceConte
   for (Candidate& c : candidates_) {
     const Landed::Crossings across = landed.crossings(c.baseScreen, c.baseScreen, c.lineScreen);
     c.score += (across.extensions ? kScoreAmissInside : 0.0) + (across.labels ? kScoreAmissInside : 0.0);
+    if (context.lookAhead.runsIntoInside(c.lineScreen)) c.score += kScoreAmissInside;
   }
   const auto rank = [&](const Candidate& c) { return std::pair(!landed.runsInto(c.lineScreen), c.score); };
   const auto best = std::ranges::max_element(candidates_, {}, rank);

@@ -64,16 +64,19 @@ class Chooser {
   bool gatherBases(const Measured& measured, const ChoiceContext& context, double factor, Enough enough);
   bool chooseOutside(std::span<const UsableBaseLine> bases, const Measured& measured, const CandidateContext& candidates, const ChoiceContext& context);
   bool chooseAgain(const Measured& measured, const CandidateContext& candidates, const ChoiceContext& context);
-  bool chooseBest(const Measured& measured, const ChoiceContext& context);
+  bool chooseBest(const Measured& measured, const ChoiceContext& context, const History& history);
   void chooseInside(const CandidateContext& candidates, const ChoiceContext& context);
   struct AmongOthers {
     double score = 0;             ///< px
     Landed::Crossings landed;
     bool nestsWithin = false;
+    bool crossesAhead = false;    ///< one ahead, in place of one that has landed: an extension line with a line
+    [[nodiscard]] bool tangled() const { return landed.extensions || crossesAhead; }
   };
   [[nodiscard]] static AmongOthers amongOthers(const Candidate& candidate, const ChoiceContext& context, double enough);
   std::span<const Segment2> extensionsOf(std::span<const ChosenLine> lines);
   void addMembers(AmongOthers& among, const ChoiceContext& context);
+  void pushClear(Candidate& candidate, AmongOthers& among, const Measured& measured, const ChoiceContext& context, const History& history);
   bool settle(Candidate& candidate, const Measured& measured, const ChoiceContext& context);
   bool expand(const Candidate& candidate, const Measured& measured, const ChoiceContext& context);
   bool expandChain(const Candidate& candidate, const Measured& measured, const ChoiceContext& context);

@@ -41,6 +41,7 @@ void History::age() {
 }
 
 void History::choose(const Identity& choice, double offsetM, const Segment2& awayPx) {
+  wasHidden_ = shownAnew();
   awayPx_ = awayPx;
   aged_ = false;
   hidden_ = false;

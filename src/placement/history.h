@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <limits>
 #include <optional>
 
 #include "core/constants.h"
@@ -36,6 +37,9 @@ class History {
   /// out than kMostOffsetRatio of what it must, or on its way there by kHurryFactor steps. Before a still camera (`stepM` 0) it stays where it was. `leastM` when the model has changed since.
   [[nodiscard]] double relaxedOffsetM(double leastM, double stepM) const;
 
+  /// How far out (m) the last frame's choice may lie now: further than it did by `stepM` at most. Any distance when its offset is not known.
+  [[nodiscard]] double mostOffsetM(double stepM) const { return offsetM_ < 0 ? std::numeric_limits<double>::infinity() : offsetM_ + stepM; }
+
   /// To be told before a frame whose view is another than the last one's. Frames before a still camera do not count, or a line could move with time alone.
   void age();
   /// Notes this frame's choice, its offset (negative: none that the next frame should look at), and how far it lies from its base line on screen (px).
@@ -65,6 +69,8 @@ class History {
   void choseNone(bool forWantOfRoom = false);
   /// Whether there was a last frame and nothing was shown in it.
   [[nodiscard]] bool hidden() const { return hidden_; }
+  /// Whether what is shown now is shown anew: nothing was in the last frame or, before a still camera, in the one before the camera stood still.
+  [[nodiscard]] bool shownAnew() const { return hidden_ || (wasHidden_ && !aged_); }
   [[nodiscard]] bool hiddenForWantOfRoom() const { return forWantOfRoom_; }
   /// Moved frames since the last frame's choice was made for the first time, or since it was preferred to another; counts to kReturnFrames.
   [[nodiscard]] int framesHeld() const { return framesHeld_; }
@@ -76,6 +82,7 @@ class History {
   };
   Identity last_;
   bool hidden_ = false;
+  bool wasHidden_ = false;            ///< before the last choice
   bool forWantOfRoom_ = false;
   int framesHeld_ = 0;
   bool betterThere_ = false;          ///< in this frame

@@ -31,20 +31,31 @@ bool standsBefore(const Segment2& s, double growPx, ViewportEdge edge, const Seg
 
 }  // namespace
 
+void LookAhead::Lines::begin(std::size_t ranks, bool changed) {
+  if (changed) std::swap(past, present);
+  present.reserve(past.capacity());   // they change places: what one has room for the other needs as well
+  present.clear();
+  ahead.clear();
+  marks.resize(ranks);
+}
+
 void LookAhead::begin(std::span<const Measured> order, const View& view, const DistanceFields& model, bool changed) {
-  if (changed) std::swap(past_, present_);
-  present_.reserve(past_.capacity());   // they change places: what one has room for the other needs as well
-  present_.clear();
-  ahead_.clear();
+  outside_.begin(order.size(), changed);
+  inside_.begin(order.size(), changed);
   free_.clear();
-  marks_.resize(order.size());
   const auto inFront = [&](const Segment& s) { return view.inFrontOfNear(s.start) && view.inFrontOfNear(s.end); };
   for (std::size_t rank = order.size(); rank-- > 0;) {
-    marks_[rank] = ahead_.mark();
-    for (const Line& l : past_) {
+    outside_.marks[rank] = outside_.ahead.mark();
+    inside_.marks[rank] = inside_.ahead.mark();
+    for (const Line& l : inside_.past) {
+      if (l.parameter != order[rank].parameter || !inFront(l.base)) continue;
+      const Segment2 base = view.toScreen(l.base);
+      inside_.ahead.add(base, base, base);
+    }
+    for (const Line& l : outside_.past) {
       if (l.parameter != order[rank].parameter || !inFront(l.base) || !inFront(l.foot) || !inFront(l.line)) continue;
       const Segment2 line = view.toScreen(l.line);
-      ahead_.add(view.toScreen(l.base), view.toScreen(l.foot), line);
+      outside_.ahead.add(view.toScreen(l.base), view.toScreen(l.foot), line);
       Free& free = free_.emplace_back();
       free.line = line;
       for (const ViewportEdge edge : kViewportEdges) {
@@ -55,8 +66,9 @@ void LookAhead::begin(std::span<const Measured> order, const View& view, const D
 }
 
 void LookAhead::reach(std::size_t rank) {
-  ahead_.backTo(marks_[rank]);
-  free_.resize(marks_[rank].lines);
+  outside_.ahead.backTo(outside_.marks[rank]);
+  inside_.ahead.backTo(inside_.marks[rank]);
+  free_.resize(outside_.marks[rank].lines);
 }
 
 bool LookAhead::shadows(const Segment2& foot, const Segment2& line) const {
@@ -71,11 +83,13 @@ bool LookAhead::shadows(const Segment2& foot, const Segment2& line) const {
   });
 }
 
-bool LookAhead::crowds(const Segment2& line) const { return ahead_.comesWithin(kHandleSpacingPx - kSlackPx, line); }
+bool LookAhead::crowds(const Segment2& line) const { return outside_.ahead.comesWithin(kHandleSpacingPx - kSlackPx, line); }
 
 void LookAhead::forget() {
-  past_.clear();
-  present_.clear();
+  for (Lines* lines : {&outside_, &inside_}) {
+    lines->past.clear();
+    lines->present.clear();
+  }
 }
 
 }  // namespace dimline

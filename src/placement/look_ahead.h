@@ -18,7 +18,7 @@ class LookAhead {
   /// It is the turn of the parameter of that rank in the order: lines up to its own are no longer ahead.
   void reach(std::size_t rank);
   [[nodiscard]] Landed::Crossings crossings(const Segment2& base, const Segment2& foot, const Segment2& line) const {
-    return ahead_.crossings(base, foot, line);
+    return outside_.ahead.crossings(base, foot, line);
   }
   /// Whether a line comes nearer than handleSpacing to one ahead.
   [[nodiscard]] bool crowds(const Segment2& line) const;
@@ -26,7 +26,11 @@ class LookAhead {
   /// from which it was seen.
   [[nodiscard]] bool shadows(const Segment2& foot, const Segment2& line) const;
   /// A line of this frame has landed: in the world its base line, that line's foot on the plane, and the final line.
-  void note(std::size_t parameter, const Segment& base, const Segment& foot, const Segment& line) { present_.push_back({parameter, base, foot, line}); }
+  void note(std::size_t parameter, const Segment& base, const Segment& foot, const Segment& line) { outside_.present.push_back({parameter, base, foot, line}); }
+  /// Whether a base line inside the model crosses, or lies on, one ahead that was shown inside in the last frame.
+  [[nodiscard]] bool runsIntoInside(const Segment2& base) const { return inside_.ahead.runsInto(base); }
+  /// A base line of this frame is shown inside the model.
+  void noteInside(std::size_t parameter, const Segment& base) { inside_.present.push_back({parameter, base, base, base}); }
   void forget();
 
  private:
@@ -34,15 +38,22 @@ class LookAhead {
     std::size_t parameter = 0;
     Segment base, foot, line;
   };
-  std::vector<Line> past_;      ///< of the last frame that differed from this one
-  std::vector<Line> present_;   ///< of this frame so far
-  Landed ahead_;
-  std::vector<Landed::Mark> marks_;   ///< one a rank: how much of `ahead_` is of later ranks
+  /// Lines outside the model, or lines inside it.
+  struct Lines {
+    std::vector<Line> past;      ///< of the last frame that differed from this one
+    std::vector<Line> present;   ///< of this frame so far
+    Landed ahead;
+    std::vector<Landed::Mark> marks;   ///< one a rank: how much of `ahead` is of later ranks
+
+    void begin(std::size_t ranks, bool changed);
+  };
+  Lines outside_;
+  Lines inside_;
   struct Free {
     Segment2 line;
     unsigned edges = 0;   ///< bit set of the viewport edges from which it is seen past the model
   };
-  std::vector<Free> free_;            ///< the lines of `ahead_`, in its order
+  std::vector<Free> free_;            ///< the lines of `outside_.ahead`, in its order
 };
 
 }  // namespace dimline

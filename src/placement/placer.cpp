@@ -144,7 +144,7 @@ struct Placer::State {
   void findVisible(const View& view, const ScopeVisibility* visibility, int framesOn);
   [[nodiscard]] std::span<const char> usableScopes(const Measured& measured) const {
     if (!measured.annotation.occlusion || showHidden) return inView;
-    return past.histories[measured.parameter].hidden() ? plain : seen;
+    return past.histories[measured.parameter].shownAnew() ? plain : seen;
   }
   [[nodiscard]] BaseLineTally scopesOutOfSight(const Measured& measured) const;
   void labelInside(const View& view, Layout& layout);
@@ -255,9 +255,10 @@ void Placer::place(const View& view, const DistanceFields& fields, const Values&
   State& s = *state_;
   const double turnRad = s.past.view ? turnBetween(*s.past.view, view) : 0.0;
   if (turnRad > kForgetTurnRad) forget();
-  s.foresight.begin(s.past.view, view, s.bounds, s.objectPlanes, s.toleranceM);
-  const bool viewMoved = s.beginFrame(view);
   const bool sceneChanged = std::exchange(s.past.sceneChanged, false);
+  // An edit is not part of the movement before it.
+  s.foresight.begin(sceneChanged ? std::nullopt : s.past.view, view, s.bounds, s.objectPlanes, s.toleranceM);
+  const bool viewMoved = s.beginFrame(view);
   s.past.lookAhead.begin(s.order, view, fields, viewMoved || sceneChanged);
   // In another scene a scope has no past: what an edit covers is hidden at once, and what it lays open is shown.
   s.findVisible(view, visibility, sceneChanged ? kReturnFrames : viewMoved ? std::max(static_cast<int>(turnRad / kFrameTurnRad), 1) : 0);
@@ -493,6 +494,7 @@ void Placer::State::landChoice(const Measured& measured, double value, Layout& l
       moveAside(line.extensionEnd, -along, occupied.landed());
       past.lookAhead.note(measured.parameter, chosen.base, chosen.foot, chosen.line);
     }
+    if (inside) past.lookAhead.noteInside(measured.parameter, chosen.base);
     // A parameter has at most one chain in a frame, so its number says which chain it is.
     line.chain = winner.identity.chain >= 0 ? static_cast<std::int32_t>(measured.parameter) : -1;
     line.indirect = measured.annotation.indirect;

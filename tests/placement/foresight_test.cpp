@@ -36,6 +36,23 @@ View turnedBy(double deg) {
   return {camera, 1000, 1000, boxBounds()};
 }
 
+/// From the front and level, from so far away; or orthographic, seeing that height.
+View from(double distanceM) {
+  Camera camera;
+  camera.eye = {0, 1.5, distanceM};
+  camera.target = {0, 1.5, 0};
+  camera.fovRad = 0.2;
+  return {camera, 1000, 1000, boxBounds()};
+}
+View seeing(double heightM) {
+  Camera camera = from(30).camera();
+  camera.orthoHeightM = heightM;
+  return {camera, 1000, 1000, boxBounds()};
+}
+
+/// What lies that far to the right of the middle, and is 1 m high.
+Segment rightBy(double metres) { return {{metres, 1, 0}, {metres, 2, 0}}; }
+
 /// Whether a plane of the edge lasts for a line 1 m to the right of it, or in front of it, while the view turns from one angle to the other.
 bool lasts(Slip slip, const std::vector<ObjectPlane>& objectPlanes, const Vec3& normal, const Vec3& towards, double fromDeg, double toDeg) {
   constexpr double kToleranceM = 1e-3;
@@ -90,4 +107,40 @@ TEST_CASE("the part of an object plane that a neighbour is about to cut off does
   CHECK(lasts(Slip::kObject, planes, kFront, kRight, -1, -2));
   // To the left the front reaches 4 m, as far as its other corner, whatever the right side does.
   CHECK(lasts(Slip::kObject, planes, kFront, -kRight, -3, -2));
+}
+
+TEST_CASE("what the camera comes nearer to leaves the viewport") {
+  // A height of 9 m after 10 m is one of 7.29 m two frames on, when the picture has grown by about exp(kForesightZoom); half of that lies to the right of the middle.
+  Foresight foresight;
+  foresight.begin(seeing(10), seeing(9), boxBounds(), {}, 1e-3);
+  CHECK(foresight.staysInside(rightBy(3.5)));
+  CHECK_FALSE(foresight.staysInside(rightBy(3.63)));    // within the margin of 6 px
+  CHECK(foresight.staysInSight(rightBy(3.63)));
+  CHECK_FALSE(foresight.staysInSight(rightBy(3.7)));
+  CHECK(foresight.staysInSight({{-20, 1, 0}, {20, 1, 0}}));
+  CHECK_FALSE(foresight.staysInside({{-20, 1, 0}, {20, 1, 0}}));
+  // Going back, there is ever more room.
+  foresight.begin(seeing(9), seeing(10), boxBounds(), {}, 1e-3);
+  CHECK(foresight.staysInside(rightBy(4.9)));
+}
+
+TEST_CASE("a camera that flies towards its target is followed, not through it") {
+  // From 30 m at 27 m: at 21.87 m two frames on, where half the viewport is 2.19 m wide.
+  Foresight foresight;
+  foresight.begin(from(30), from(27), boxBounds(), {}, 1e-3);
+  CHECK(foresight.staysInside(rightBy(2.1)));
+  CHECK_FALSE(foresight.staysInside(rightBy(2.25)));
+  // By more than that in one frame: the next one is at 2.5 m.
+  foresight.begin(from(10), from(5), boxBounds(), {}, 1e-3);
+  CHECK(foresight.staysInSight(rightBy(0.2)));
+  CHECK_FALSE(foresight.staysInSight(rightBy(0.3)));
+}
+
+TEST_CASE("before a still camera the movement is thought to go on as it did; after a scene's edit it is not") {
+  Foresight foresight;
+  foresight.begin(seeing(10), seeing(9), boxBounds(), {}, 1e-3);
+  foresight.begin(seeing(9), seeing(9), boxBounds(), {}, 1e-3);
+  CHECK_FALSE(foresight.staysInSight(rightBy(3.7)));
+  foresight.begin(std::nullopt, seeing(9), boxBounds(), {}, 1e-3);
+  CHECK(foresight.staysInSight(rightBy(3.7)));
 }

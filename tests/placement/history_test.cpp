@@ -49,7 +49,7 @@ TEST_CASE("a line comes nearer by a step at most, and is never further out than 
   history.choose(side(0), 2.6);
   CHECK(history.relaxedOffsetM(2.0, 0.25) == Approx(2.35));
   CHECK(history.relaxedOffsetM(2.5, 0.25) == Approx(2.5));      // it must be further out than the step would bring it
-  CHECK(history.relaxedOffsetM(1.0, 0.25) == Approx(kMostOffsetRatio));
+  CHECK(history.relaxedOffsetM(1.5, 0.25) == Approx(1.5 * kMostOffsetRatio));
   CHECK(history.relaxedOffsetM(0.1, 0.25) == Approx(2.6 - kHurryFactor * 0.25));   // far beyond its share it hurries, without a leap
   CHECK(history.relaxedOffsetM(1.0, 0.0) == Approx(2.6));       // before a still camera nothing moves
   history.forgetOffset();
@@ -138,4 +138,31 @@ TEST_CASE("what a line has gone back to is no longer left") {
   history.choose(side(0), 1.0);
   CHECK_FALSE(history.leftLately(side(0)));
   CHECK(history.leftLately(side(1)));
+}
+
+TEST_CASE("a line moves out by a step at most, from where it was") {
+  History history(3);
+  CHECK(history.mostOffsetM(0.25) == std::numeric_limits<double>::infinity());
+  history.choose(side(0), 2.0);
+  CHECK(history.mostOffsetM(0.25) == Approx(2.25));
+  CHECK(history.mostOffsetM(0.0) == 2.0);   // before a still camera nothing moves
+  history.forgetOffset();
+  CHECK(history.mostOffsetM(0.25) == std::numeric_limits<double>::infinity());
+}
+
+TEST_CASE("what is shown anew is so before a still camera too, and no longer in the next moved frame") {
+  History history(3);
+  history.choose(side(0), 1.0);
+  CHECK_FALSE(history.shownAnew());
+  history.choseNone();
+  CHECK(history.shownAnew());
+  history.age();
+  history.choose(side(0), 1.0);
+  CHECK(history.shownAnew());
+  history.choose(side(0), 1.0);
+  CHECK(history.shownAnew());
+  history.age();
+  CHECK_FALSE(history.shownAnew());
+  history.choose(side(0), 1.0);
+  CHECK_FALSE(history.shownAnew());
 }

@@ -110,3 +110,23 @@ TEST_CASE("a line shadows another when it stands between that one and each edge 
   const Segment2 behind = screen(390, 420, 390, 580);
   CHECK_FALSE(other.lookAhead.shadows(behind, behind));  // 40 px nearer to the model it takes nothing away
 }
+
+TEST_CASE("a base line inside keeps off those of later lines that were inside, and of no others") {
+  Stage stage;
+  stage.begin(true);
+  stage.lookAhead.noteInside(1, world(420, 500, 580, 500));
+  stage.lookAhead.note(1, world(420, 400, 580, 400), world(420, 400, 580, 400), world(420, 350, 580, 350));
+  stage.begin(true);
+  stage.lookAhead.reach(0);
+  CHECK(stage.lookAhead.runsIntoInside(screen(500, 450, 500, 550)));
+  CHECK(stage.lookAhead.runsIntoInside(screen(440, 500, 480, 500)));         // lies on it
+  CHECK_FALSE(stage.lookAhead.runsIntoInside(screen(500, 300, 500, 370)));   // crosses the one outside
+  stage.lookAhead.reach(1);
+  CHECK_FALSE(stage.lookAhead.runsIntoInside(screen(500, 450, 500, 550)));
+  stage.begin(false);
+  stage.lookAhead.reach(0);
+  CHECK(stage.lookAhead.runsIntoInside(screen(500, 450, 500, 550)));         // before a still camera
+  stage.begin(true);
+  stage.lookAhead.reach(0);
+  CHECK_FALSE(stage.lookAhead.runsIntoInside(screen(500, 450, 500, 550)));   // it was not inside in the last frame
+}
