@@ -46,7 +46,7 @@ inline constexpr int kLabelPushSteps = 4;
 inline constexpr int kClearingSteps = 6;
 inline constexpr double kMostClearedRatio = 1.45;
 inline constexpr double kClearingPrecisionPx = 0.125;
-inline constexpr double kClearPx = 9.0;
+inline constexpr double kClearPx = 10.0;
 
 /// px. Length of an arrowhead along its line, at rest; half its width across.
 inline constexpr double kArrowLengthPx = 12.0;
