@@ -493,8 +493,9 @@ void Placer::State::landChoice(const Measured& measured, double value, Layout& l
       moveAside(line.extensionStart, along, occupied.landed());
       moveAside(line.extensionEnd, -along, occupied.landed());
       past.lookAhead.note(measured.parameter, chosen.base, chosen.foot, chosen.line);
+    } else {
+      past.lookAhead.noteInside(measured.parameter, chosen.base);
     }
-    if (inside) past.lookAhead.noteInside(measured.parameter, chosen.base);
     // A parameter has at most one chain in a frame, so its number says which chain it is.
     line.chain = winner.identity.chain >= 0 ? static_cast<std::int32_t>(measured.parameter) : -1;
     line.indirect = measured.annotation.indirect;
