@@ -127,10 +127,11 @@ void Editor::State::placeOn(const View& view, bool moving) {
     auto line = hold.drag.line() != nullptr ? hold.drag.line()->lineOn(scene, values, view) : std::nullopt;
     if (line) heldLines.push_back(std::move(*line));
   }
-  const auto members = std::ranges::partition(heldLines, [](const PlacedLine& line) { return line.chain < 0; });
-  placer.place(view, fieldSource.fields(), placedValues(), placed, &visibilitySource.seen(), std::span(heldLines.begin(), members.begin()));
+  placer.place(view, fieldSource.fields(), placedValues(), placed, &visibilitySource.seen(), heldLines);
   if (!fieldSource.current()) placer.awaitFields();
-  for (const PlacedLine& member : members) holdMember(member);
+  for (const PlacedLine& line : heldLines) {
+    if (line.chain >= 0) holdMember(line);
+  }
   for (const HandleHold& hold : holds) {
     const auto arc = hold.drag.arc() != nullptr ? hold.drag.arc()->handleOn(values, view) : std::nullopt;
     if (arc) holdArc(*arc);
@@ -155,6 +156,12 @@ void Editor::State::holdMember(const PlacedLine& held) {
     const double to = glm::dot(line.line.end - held.line.start, along);
     return std::min(from, to) < held.line.length() - tolerance && std::max(from, to) > tolerance;
   });
+  // So do their labels.
+  for (PlacedLine& line : placed.lines) {
+    if (line.parameter != held.parameter || isHeld(line) || !line.label) continue;
+    const Box2 label = line.label->grown(kLabelClearancePx);
+    if (meets(held.lineScreen, label) || (held.label && held.label->overlaps(label))) line.label.reset();
+  }
   // Whatever it measures by now, the held line keeps its identity through the drag; who bears that now takes the one that it leaves free.
   for (PlacedLine& line : placed.lines) {
     if (line.identity == held.identity && !isHeld(line)) line.identity.scopeIndex = static_cast<std::int32_t>(scene.scopes[held.scope].index);

@@ -46,6 +46,16 @@ void Landed::add(const Segment2& base, const Segment2& foot, const Segment2& lin
   }
 }
 
+void Landed::reserve(const PlacedLine& line) {
+  extensions_.push_back({line.lineScreen, static_cast<int>(line.parameter)});
+  if (line.label) labels_.push_back(*line.label);
+}
+
+void Landed::release(const PlacedLine& line) {
+  std::erase_if(extensions_, [&](const Extension& e) { return e.parameter == static_cast<int>(line.parameter); });
+  if (line.label) std::erase_if(labels_, [&](const Box2& label) { return label.min == line.label->min && label.max == line.label->max; });
+}
+
 void Landed::backTo(const Mark& mark) {
   lines_.resize(mark.lines);
   extensions_.resize(mark.extensions);

@@ -24,6 +24,10 @@ class Landed {
   /// A line on screen with its base line and its foot on the plane, without a label.
   void add(const Segment2& base, const Segment2& foot, const Segment2& line);
   void addLabel(const Box2& label) { labels_.push_back(label); }
+  /// What a line that stands where it stands will take up when its turn comes; to be released then. Until then it counts as an extension line, which labels keep off and
+  /// lines cross at a price: what is nearer to the model must still find room between.
+  void reserve(const PlacedLine& line);
+  void release(const PlacedLine& line);
   /// A pill, or an arc with its label.
   void add(const PlacedHandle& handle, const View& view);
 

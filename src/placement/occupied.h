@@ -23,8 +23,11 @@ class Occupied {
 
   /// A new guide through a line on a plane; returns its number.
   int addGuide(const Plane& plane, const Segment& line) { return guides_.add(plane, line); }
-  /// A label that will stand there, whatever comes before its line.
-  void reserve(const Box2& label) { landed_.addLabel(label); }
+  /// A label that stands there, of a line that takes up nothing else.
+  void add(const Box2& label) { landed_.addLabel(label); }
+  /// A line that will stand there, whatever comes before it; to be released at its turn.
+  void reserve(const PlacedLine& line) { landed_.reserve(line); }
+  void release(const PlacedLine& line) { landed_.release(line); }
   /// `guide`: the number of the guide that the line lies on; -1 for a line inside the model, which takes up nothing outside.
   void add(const PlacedLine& line, int guide);
   void add(const PlacedHandle& handle, const View& view);

@@ -343,10 +343,8 @@ bool Placer::State::placeAll(const FrameToPlace& frame, std::size_t crowded, Lay
   layout.others.reserve(others.size());   // however many of them found no place until now
   layout.hidden.clear();
   occupied.clear();
-  // What is held stays where it is: shorter lines come before it, but their labels must leave room for its own.
-  for (const PlacedLine& line : held) {
-    if (line.label) occupied.reserve(*line.label);
-  }
+  // What is held stays where it is: shorter lines come before it, but must leave it room.
+  for (const PlacedLine& line : held) occupied.reserve(line);
   // An arc that stays in its scope's frame has one place only, so all others keep clear of it.
   const auto stays = [](const Measured& other) { return other.annotation.type == HandleType::kAngular && other.annotation.slip == Slip::kNone; };
   for (const Measured& other : others) {
@@ -359,9 +357,13 @@ bool Placer::State::placeAll(const FrameToPlace& frame, std::size_t crowded, Lay
     const Measured& measured = order[rank];
     past.lookAhead.reach(rank);
     const auto inHand = std::ranges::find(held, measured.parameter, &PlacedLine::parameter);
-    if (inHand != held.end()) {
+    const bool isHeld = inHand != held.end();
+    if (isHeld) occupied.release(*inHand);
+    if (isHeld && !(inHand->chain >= 0 && measured.scopes.size() > 1)) {
       landHeld(*inHand, layout);
-    } else if (rank < crowded) {
+      continue;
+    }
+    if (rank < crowded) {
       layout.hidden.push_back({measured.parameter, HiddenReason::kCrowded});
       // Or an attempt would gain by crowding a line out.
       outcome.worth += kScoreInside;
@@ -374,6 +376,7 @@ bool Placer::State::placeAll(const FrameToPlace& frame, std::size_t crowded, Lay
                              firm, avoid, showHidden},
                             values.at(measured.parameter), layout);
     }
+    if (isHeld) occupied.reserve(*inHand);
   }
   // Lines are bound to their planes; a switch finds a place nearly anywhere, so it takes what they leave.
   const bool noPills = !showHidden && view.widthPx() * view.heightPx() < kPillsCrowdedPx2 * static_cast<double>(order.size() + others.size());
@@ -396,7 +399,7 @@ void Placer::State::labelInside(const View& view, Layout& layout) {
     if (line.placement != PlacementKind::kInside || line.label) continue;
     const auto measured = std::ranges::find(order, line.parameter, &Measured::parameter);
     line.label = placeLabel({.line = line.lineScreen, .textSize = measured->textSize}, occupied.landed(), view.viewport());
-    if (line.label) occupied.reserve(*line.label);
+    if (line.label) occupied.add(*line.label);
   }
 }
 

@@ -43,8 +43,9 @@ class Placer {
   void showHidden(bool shown);
 
   /// One frame. `fields` are the model's own, of the same viewport as `view`; `visibility` says how much of each of the scene's scopes is seen, from
-  /// this frame or a recent one (null: nothing is hidden by the model). `values` are what the labels say. `held`: lines that are being dragged and
-  /// no members of a chain, one a parameter; at their parameter's turn they are taken as they are, and later lines keep clear of them as of any other.
+  /// this frame or a recent one (null: nothing is hidden by the model). `values` are what the labels say. `held`: lines that are being dragged, one a
+  /// parameter; at their parameter's turn they are taken as they are, and later lines keep clear of them as of any other. All lines leave their labels room. A chain one of whose several
+  /// members is held is placed as a whole: it is for the caller to put that member in its place.
   void place(const View& view, const DistanceFields& fields, const Values& values, Layout& layout,
              const ScopeVisibility* visibility = nullptr, std::span<const PlacedLine> held = {});
 

@@ -70,7 +70,65 @@ std::vector<End> endsOf(const Layout& layout) {
   return ends;
 }
 
+/// The pairs of texts that lie over each other, and the texts that a line in hand runs through, by the names of their parameters.
+std::string coveredTexts(const Editor& editor) {
+  const Layout& layout = editor.layout();
+  const auto nameOf = [&](std::size_t parameter) { return editor.model().parameters()[parameter].name; };
+  struct Text {
+    Box2 box;
+    std::string name;
+  };
+  std::vector<Text> texts;
+  for (const PlacedLine& line : layout.lines) {
+    if (line.label) texts.push_back({*line.label, nameOf(line.parameter)});
+  }
+  for (const PlacedHandle& handle : layout.others) texts.push_back({handle.box, nameOf(handle.parameter)});
+  std::string found;
+  for (std::size_t i = 0; i < texts.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      if (texts[i].box.overlaps(texts[j].box)) found += texts[i].name + " over " + texts[j].name + "\n";
+    }
+  }
+  for (std::size_t i = 0; i < layout.lines.size(); ++i) {
+    const PlacedLine& line = layout.lines[i];
+    if (!editor.lineStates()[i].dragged) continue;
+    for (const Text& text : texts) {
+      if (text.name != nameOf(line.parameter) && meets(line.lineScreen, text.box)) found += nameOf(line.parameter) + " through " + text.name + "\n";
+    }
+  }
+  return found;
+}
+
 }  // namespace
+
+TEST_CASE("in every model, what is dragged covers no text, nor does any text cover another") {
+  for (const BuiltInModel& builtIn : builtInModels()) {
+    if (!tested(builtIn.name)) continue;
+    EditorStage stage(builtIn.define());
+    stage.editor.setReducedMotion(true);
+    stage.settle();
+    std::size_t dragged = 0;
+    for (const double azimuth : {0.0, 140.0, 250.0}) {
+      const Camera camera = stage.editor.camera();
+      (void)stage.editor.setCamera(orbitCamera(camera.target, glm::length(camera.eye - camera.target), azimuth, 15));
+      stage.settle();
+      const std::vector<End> ends = endsOf(stage.editor.layout());
+      dragged += ends.size();
+      for (const End& end : ends) {
+        if (stage.down(end.at) != PointerTarget::kHandle) FAIL("no handle at the end of a line");
+        for (const double travelPx : {5.0, 10.0, 20.0, 40.0, -20.0, -40.0}) {
+          INFO(builtIn.name << ", " << azimuth << " degrees, " << stage.editor.model().parameters()[end.parameter].name << " by " << travelPx << " px");
+          stage.move(end.at + end.outward * travelPx);
+          stage.settle();
+          CHECK(coveredTexts(stage.editor) == "");
+        }
+        stage.editor.cancelGesture();
+        stage.settle();
+      }
+    }
+    CHECK(dragged > 0);
+  }
+}
 
 TEST_CASE("in every model, drags that are cancelled, and drags that are undone, leave the very same bytes") {
   for (const BuiltInModel& builtIn : builtInModels()) {
