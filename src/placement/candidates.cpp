@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "placement/on_screen.h"
 #include "placement/score.h"
 #include "silhouette/slide.h"
 
@@ -15,12 +16,10 @@ constexpr double kRoundingShare = 1e-9;
 
 /// Puts the candidate's line at `line`; false when it is no place for a dimension line.
 bool moveTo(Candidate& candidate, const Segment& line, const View& view) {
-  if (!view.inFrontOfNear(line.start) || !view.inFrontOfNear(line.end)) return false;
-  const Segment2 screen = view.toScreen(line);
-  const Box2 allowed = view.viewport().grown(-kViewportMarginPx);
-  if (!allowed.contains(screen.start) || !allowed.contains(screen.end)) return false;
+  const auto screen = onScreen(line, view);
+  if (!screen || screen->length() < candidate.leastPx) return false;
   candidate.line = line;
-  candidate.lineScreen = screen;
+  candidate.lineScreen = *screen;
   return true;
 }
 
@@ -47,6 +46,7 @@ Candidate unplaced(const UsableBaseLine& base, const SlipPlane& plane, int direc
   candidate.plane = plane;
   candidate.outward = plane.across * static_cast<double>(direction);
   candidate.mostM = direction > 0 ? plane.highM : -plane.lowM;
+  candidate.leastPx = context.leastPx;
   return candidate;
 }
 
@@ -84,9 +84,8 @@ bool placeAt(Candidate& candidate, const Slide& slide, double offsetM, const Vie
   return true;
 }
 
-/// Scores the placed candidate and keeps it, when it is long enough.
+/// Scores the placed candidate and keeps it.
 void keep(const CandidateContext& context, const UsableBaseLine& base, Candidate& candidate, std::vector<Candidate>& candidates) {
-  if (candidate.lineScreen.length() < context.leastPx) return;
   // Before a still camera it is the place itself that is looked for: the same identity may have others, on guides.
   if (context.only != nullptr && !context.viewMoved && !context.history.stays(candidate.identity, away(candidate.baseScreen, candidate.lineScreen))) return;
   candidate.hysteresis = context.history.bonus(candidate.identity, away(candidate.baseScreen, candidate.lineScreen));

@@ -36,6 +36,7 @@ struct Candidate {
   double offsetM = 0;       ///< how far, from the foot
   double leastM = 0;        ///< how far it must be moved, outside the silhouette
   double mostM = 0;         ///< how far the plane has room
+  double leastPx = 0;       ///< length on screen below which it is no place
   int guide = -1;           ///< number of the guide it lies on
   double score = 0;         ///< without the Intersect term
   double hysteresis = 0;    ///< how much of it is the History's, which says nothing about the place itself

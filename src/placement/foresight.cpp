@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "placement/on_screen.h"
+
 namespace dimline {
 
 namespace {
@@ -67,11 +69,7 @@ bool Foresight::lasts(const BaseLine& line, Slip slip, const SlipPlane& plane, i
 }
 
 bool Foresight::staysInside(const Segment& line) const {
-  if (!ahead_) return true;
-  if (!ahead_->inFrontOfNear(line.start) || !ahead_->inFrontOfNear(line.end)) return false;
-  const Segment2 screen = ahead_->toScreen(line);
-  const Box2 allowed = ahead_->viewport().grown(-kViewportMarginPx);
-  return allowed.contains(screen.start) && allowed.contains(screen.end);
+  return !ahead_ || onScreen(line, *ahead_);
 }
 
 bool Foresight::staysInSight(const Segment& base) const {
