@@ -108,7 +108,8 @@ void FrameAudit::crossing(std::size_t a, std::size_t b) {
   const bool cross = crossEachOther(first, second);
   if (!cross && !lieOnEachOther(first, second)) return;
   const bool inside = !isOutside(lines_[a]) && !isOutside(lines_[b]);
-  offend(AuditRow::kLineCrossings, names(a, b), inside ? 0 : 1,
+  const bool must = inside && mustCross(frame_, a, b);
+  offend(AuditRow::kLineCrossings, names(a, b) + (must ? ", which have no other base line" : ""), inside ? 0 : 1,
          std::string(cross ? "cross" : "lie on each other") + (inside ? ", both inside" : ""));
 }
 

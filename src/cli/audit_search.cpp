@@ -250,6 +250,35 @@ std::optional<OutsidePlace> outsidePlace(const AuditedFrame& frame, std::size_t 
 
 namespace {
 
+/// The base lines of a parameter that a line inside could lie on, on screen.
+std::vector<Segment2> baseLinesInView(const AuditedFrame& frame, std::size_t parameter) {
+  const View& view = frame.layout->view;
+  const Annotation& annotation = *frame.model->annotations[parameter];
+  std::vector<Segment2> found;
+  for (const std::size_t scope : frame.layout->visibleScopes) {
+    if (frame.scene->scopes[scope].name != annotation.scope) continue;
+    for (const Segment& base : linearBaseLines(annotation, frame.scene->scopes[scope].box)) {
+      const auto screen = project(view, base);
+      if (screen && showable(view, annotation, base) && enters(*screen, view.viewport())) found.push_back(*screen);
+    }
+  }
+  return found;
+}
+
+}  // namespace
+
+bool mustCross(const AuditedFrame& frame, std::size_t one, std::size_t other) {
+  const auto first = baseLinesInView(frame, frame.layout->lines[one].parameter);
+  const auto second = baseLinesInView(frame, frame.layout->lines[other].parameter);
+  if (first.empty() || second.empty()) return false;
+  return std::ranges::all_of(first, [&](const Segment2& a) {
+    return std::ranges::all_of(second,
+                               [&](const Segment2& b) { return crossEachOther(a, b) || lieOnEachOther(a, b); });
+  });
+}
+
+namespace {
+
 bool inPicture(const View& view, const Vec3& p) {
   return view.inFrontOfNear(p) && contains(view.viewport(), view.toScreen(p));
 }

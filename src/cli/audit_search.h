@@ -37,6 +37,10 @@ struct OutsidePlace {
 /// A place where the line of that number, which lies inside, could be outside (AuditRow::kNeedlesslyInside).
 std::optional<OutsidePlace> outsidePlace(const AuditedFrame& frame, std::size_t line);
 
+/// Whether two lines inside that cross, or lie on each other, have no other way: each base line of the one in view, of a
+/// visible scope, crosses or lies on each of the other's. False unless both are of the linear types.
+bool mustCross(const AuditedFrame& frame, std::size_t one, std::size_t other);
+
 /// The scope of a parameter that is in plain view (AuditRow::kUnshown): its index in the scene. `frame.depth` must be
 /// there.
 std::optional<std::size_t> scopeInPlainView(const AuditedFrame& frame, std::size_t parameter);

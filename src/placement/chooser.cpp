@@ -73,8 +73,7 @@ bool Chooser::choose(const Measured& measured, const ChoiceContext& context, con
   if (singleStays && chooseSingle()) return true;
   if (chained && chooseOutside(chainBases_, measured, candidates, context)) return true;
   if (!singleStays && chooseSingle()) return true;
-  chooseInside(candidates, context);
-  return true;
+  return chooseInside(candidates, context);
 }
 
 /// The base lines that can be used, by thresholds that are `factor` times those of constants.h. False when there is none.
@@ -228,6 +227,8 @@ bool Chooser::chooseBest(const Measured& measured, const ChoiceContext& context,
     if (lines_.size() > 1) addMembers(among, context);
     pushClear(candidate, among, measured, context, history);
     if (beaten(among.score)) continue;
+    // The padded fields know nothing of lines inside the model.
+    if (among.landed.lines && context.occupied.landed().runsInto(candidate.lineScreen)) continue;
     found = true;
     bestScore = among.score;
     winner_ = candidate;
@@ -237,11 +238,22 @@ bool Chooser::chooseBest(const Measured& measured, const ChoiceContext& context,
   return found;
 }
 
-/// The fallback: the base lines themselves (algorithm 1, line 9), the best that runs into no other line, or else the best. Its label waits for what else is there.
-void Chooser::chooseInside(const CandidateContext& candidates, const ChoiceContext& context) {
+/// The fallback: the base lines themselves (algorithm 1, line 9), the best that runs into no other line, or else the best of those that are in view from end to end: one that leads
+/// out of the picture across others says less than it confuses. Its label waits for what else is there.
+bool Chooser::chooseInside(const CandidateContext& candidates, const ChoiceContext& context) {
   const Landed& landed = context.occupied.landed();
+  const Box2 picture = context.view.viewport();
+  const auto isFree = [&](const Segment2& line) { return !landed.runsInto(line) && !landed.coversLabel(line); };
   candidates_.clear();
-  for (const UsableBaseLine& base : bases_) gatherInsideCandidate(candidates, base, context.scopes[base.scope].box, candidates_);
+  for (const UsableBaseLine& base : bases_) {
+    const bool whole = picture.contains(base.screen.start) && picture.contains(base.screen.end);
+    if (whole || context.showAll || isFree(base.screen)) gatherInsideCandidate(candidates, base, context.scopes[base.scope].box, candidates_);
+  }
+  if (candidates_.empty()) {
+    tally_.outOfView += static_cast<int>(bases_.size());
+    cramped_ = true;
+    return false;
+  }
   for (Candidate& c : candidates_) {
     const Landed::Crossings across = landed.crossings(c.baseScreen, c.baseScreen, c.lineScreen);
     c.score += (across.extensions ? kScoreAmissInside : 0.0) + (across.labels ? kScoreAmissInside : 0.0);
@@ -253,6 +265,7 @@ void Chooser::chooseInside(const CandidateContext& candidates, const ChoiceConte
   winner_ = *best;
   winnerLines_.clear();
   winnerLines_.push_back(chosen(winner_));
+  return true;
 }
 
 Chooser::Worth Chooser::worth(const Landed& landed) {

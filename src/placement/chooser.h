@@ -43,7 +43,7 @@ struct ChosenLine {
 /// members of a chain, with labels. Keeps its memory from frame to frame.
 class Chooser {
  public:
-  /// Finds the parameter's place. False when none of its base lines can be used; then tally() says why.
+  /// Finds the parameter's place. False when none of its base lines can be used; then tally() says why, and cramped() whether it is for want of room alone.
   bool choose(const Measured& measured, const ChoiceContext& context, const History& history);
 
   [[nodiscard]] const Candidate& winner() const { return winner_; }
@@ -55,7 +55,7 @@ class Chooser {
     bool nestsWithin = false;
   };
   [[nodiscard]] Worth worth(const Landed& landed);
-  /// Whether the choice is a base line that runs into a line that has landed.
+  /// Whether the choice is a base line that runs into a line that has landed, or all that could have been would have.
   [[nodiscard]] bool cramped() const { return cramped_; }
   [[nodiscard]] const BaseLineTally& tally() const { return tally_; }
 
@@ -65,7 +65,7 @@ class Chooser {
   bool chooseOutside(std::span<const UsableBaseLine> bases, const Measured& measured, const CandidateContext& candidates, const ChoiceContext& context);
   bool chooseAgain(const Measured& measured, const CandidateContext& candidates, const ChoiceContext& context);
   bool chooseBest(const Measured& measured, const ChoiceContext& context, const History& history);
-  void chooseInside(const CandidateContext& candidates, const ChoiceContext& context);
+  bool chooseInside(const CandidateContext& candidates, const ChoiceContext& context);
   struct AmongOthers {
     double score = 0;             ///< px
     Landed::Crossings landed;

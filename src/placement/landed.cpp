@@ -88,7 +88,7 @@ Landed::Crossings Landed::crossings(const Segment2& base, const Segment2& foot, 
     const bool overExtension = std::ranges::any_of(extensions_, [&](const Extension& e) { return segmentsCross(part, e.segment, kCrossingPx); });
     found.lines = found.lines || overLine || overExtension;
     found.extensions = found.extensions || (isLine ? overExtension : overLine);
-    found.labels = found.labels || std::ranges::any_of(labels_, [&](const Box2& label) { return meets(part, label); });
+    found.labels = found.labels || coversLabel(part);
   };
   add(line, true);
   for (const Segment2& part : extensionParts(base, foot, line)) add(part, false);
@@ -111,7 +111,7 @@ Landed::Crossings Landed::extensionCrossings(std::span<const Segment2> extension
   Crossings found;
   for (const Segment2& part : extensions) {
     found.extensions = found.extensions || std::ranges::any_of(lines_, [&](const Line& l) { return segmentsCross(part, l.segment, kCrossingPx); });
-    found.labels = found.labels || std::ranges::any_of(labels_, [&](const Box2& label) { return meets(part, label); });
+    found.labels = found.labels || coversLabel(part);
   }
   return found;
 }
@@ -142,6 +142,10 @@ bool Landed::liesOnLine(const Segment2& segment) const {
 
 bool Landed::runsInto(const Segment2& segment) const {
   return liesOnLine(segment) || std::ranges::any_of(lines_, [&](const Line& l) { return segmentsCross(segment, l.segment, kCrossingPx); });
+}
+
+bool Landed::coversLabel(const Segment2& segment) const {
+  return std::ranges::any_of(labels_, [&](const Box2& label) { return meets(segment, label); });
 }
 
 bool Landed::hasRoom(const Segment2& line, int guide) const {

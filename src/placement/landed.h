@@ -64,6 +64,8 @@ class Landed {
 
   /// Whether a segment crosses a line that has landed, or lies on one.
   [[nodiscard]] bool runsInto(const Segment2& segment) const;
+  /// Whether a segment runs through a label that has landed.
+  [[nodiscard]] bool coversLabel(const Segment2& segment) const;
   /// Whether a segment lies on a line that has landed, so that the two are drawn as one.
   [[nodiscard]] bool liesOnLine(const Segment2& segment) const;
 

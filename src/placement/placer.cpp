@@ -432,11 +432,14 @@ bool Placer::State::placeLines(std::size_t rank, const ChoiceContext& context, d
   Measured& measured = order[rank];
   History& history = past.histories[measured.parameter];
   label(measured, parameters[measured.parameter], value);
-  if (!chooser.choose(measured, context, history)) {
+  const bool found = chooser.choose(measured, context, history);
+  // What gave way to others inside the model comes back there when it has had room for a while.
+  const bool waits = found && !showHidden && chooser.winner().placement == PlacementKind::kInside && history.hiddenForWantOfRoom() && !history.betterIsThere();
+  if (!found || waits) {
     BaseLineTally tally = scopesOutOfSight(measured);
     tally.add(chooser.tally());
     layout.hidden.push_back({measured.parameter, reasonFor(tally, !measured.scopes.empty())});
-    history.choseNone();
+    history.choseNone(waits || chooser.cramped());
     return false;
   }
   judgeChoice(rank, history);
