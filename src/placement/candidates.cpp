@@ -102,7 +102,11 @@ void keep(const CandidateContext& context, const UsableBaseLine& base, Candidate
     return context.foresight.staysInside(candidate.line) &&
            context.foresight.lasts(base.line, context.annotation.slip, candidate.plane, identity.direction, candidate.offsetM);
   };
-  if (identity != context.history.last() && !lasts()) candidate.score += kScoreSoonGone;
+  if (identity != context.history.last() && !lasts()) {
+    // A line inside the model does not come out to where it could not stay.
+    if (context.history.wasInside()) return;
+    candidate.score += kScoreSoonGone;
+  }
   candidates.push_back(candidate);
 }
 

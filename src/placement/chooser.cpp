@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "placement/labels.h"
+#include "placement/on_screen.h"
 
 // A candidate is one line, or a chain with its members; both are expanded to lines before labels are placed, so that a line of its own is
 // a chain of one from there on.
@@ -242,12 +243,10 @@ bool Chooser::chooseBest(const Measured& measured, const ChoiceContext& context,
 /// out of the picture across others says less than it confuses. Its label waits for what else is there.
 bool Chooser::chooseInside(const CandidateContext& candidates, const ChoiceContext& context) {
   const Landed& landed = context.occupied.landed();
-  const Box2 picture = context.view.viewport();
   const auto isFree = [&](const Segment2& line) { return !landed.runsInto(line) && !landed.coversLabel(line); };
   candidates_.clear();
   for (const UsableBaseLine& base : bases_) {
-    const bool whole = picture.contains(base.screen.start) && picture.contains(base.screen.end);
-    if (whole || context.showAll || isFree(base.screen)) gatherInsideCandidate(candidates, base, context.scopes[base.scope].box, candidates_);
+    if (isWhole(base.screen, context.view) || context.showAll || isFree(base.screen)) gatherInsideCandidate(candidates, base, context.scopes[base.scope].box, candidates_);
   }
   if (candidates_.empty()) {
     tally_.outOfView += static_cast<int>(bases_.size());

@@ -20,6 +20,8 @@ class History {
   /// The choice of the last frame; only its `parameter` is set when there was none.
   [[nodiscard]] const Identity& last() const { return last_; }
   [[nodiscard]] bool any() const { return last_ != Identity{.parameter = last_.parameter}; }
+  /// Whether that was inside the model.
+  [[nodiscard]] bool wasInside() const { return any() && last_.plane < 0; }
 
   /// What hysteresis adds to a candidate's score beyond the paper's Damp: kScoreStay for the last frame's choice, and kScoreReturn for those that were
   /// left within the last kReturnFrames. Damp alone cannot hold a line that others push to and fro.

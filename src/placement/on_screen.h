@@ -15,4 +15,7 @@ inline std::optional<Segment2> onScreen(const Segment& line, const View& view) {
   return allowed.contains(screen.start) && allowed.contains(screen.end) ? std::optional(screen) : std::nullopt;
 }
 
+/// Whether a base line's two ends are in the picture.
+inline bool isWhole(const Segment2& base, const View& view) { return view.viewport().contains(base.start) && view.viewport().contains(base.end); }
+
 }  // namespace dimline

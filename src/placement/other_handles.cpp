@@ -146,10 +146,9 @@ double scoreOutside(const OtherHandle& handle, const OtherHandleContext& context
 std::optional<PillPlace> choose(const OtherHandle& handle, const std::optional<PillPlace>& inside, const std::optional<PillPlace>& outside) {
   const std::optional<PillPlace>& best = outside ? outside : inside;
   History& history = handle.history;
-  const bool wasInside = history.any() && history.last().plane < 0;
-  const bool better = best && (history.hiddenForWantOfRoom() || (wasInside && inside && outside));
+  const bool better = best && (history.hiddenForWantOfRoom() || (history.wasInside() && inside && outside));
   if (!better || history.betterIsThere() || !handle.firm) return best;
-  return wasInside ? inside : std::nullopt;
+  return history.wasInside() ? inside : std::nullopt;
 }
 
 /// Where the options of a range are offered: in a column under the pill, or over it when there is no room below.
@@ -231,7 +230,10 @@ std::optional<HiddenReason> placePill(const OtherHandle& handle, const OtherHand
     if (!isInside({anchor, anchor}, context.view.viewport())) continue;
     anchored = true;
     const Box2 atAnchor = shiftedInto(boxAround(anchor, size), context.view.viewport());
-    if (const auto box = roomAround(atAnchor, context)) offer({scope, anchor, *box, -1, -glm::length(box->center() - anchor)}, inside);
+    if (const auto box = roomAround(atAnchor, context)) {
+      const Identity identity = identityOf(handle, context.scopes[scope], -1);
+      offer({scope, anchor, *box, -1, handle.history.bonus(identity) - glm::length(box->center() - anchor)}, inside);
+    }
     if (handle.annotation.slip == Slip::kNone) continue;
     for (int way = 0; way < 8; ++way) {
       const auto box = roomTowards(atAnchor, compass(way), context);

@@ -11,6 +11,7 @@
 #include "placement/foresight.h"
 #include "placement/labels.h"
 #include "placement/mending.h"
+#include "placement/on_screen.h"
 #include "placement/other_handles.h"
 #include "placement/visibility.h"
 
@@ -433,8 +434,8 @@ bool Placer::State::placeLines(std::size_t rank, const ChoiceContext& context, d
   History& history = past.histories[measured.parameter];
   label(measured, parameters[measured.parameter], value);
   const bool found = chooser.choose(measured, context, history);
-  // What gave way to others inside the model comes back there when it has had room for a while.
-  const bool waits = found && !showHidden && chooser.winner().placement == PlacementKind::kInside && history.hiddenForWantOfRoom() && !history.betterIsThere();
+  // What gave way to others inside the model comes back when it has had a place for a while, or is in view from end to end.
+  const bool waits = found && !showHidden && history.hiddenForWantOfRoom() && !isWhole(chooser.winner().baseScreen, context.view) && !history.betterIsThere();
   if (!found || waits) {
     BaseLineTally tally = scopesOutOfSight(measured);
     tally.add(chooser.tally());

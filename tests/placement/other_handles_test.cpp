@@ -159,6 +159,27 @@ TEST_CASE("a pill that had no room or was inside waits until a better kind of pl
   CHECK(placed.placement == PlacementKind::kOutside);
 }
 
+TEST_CASE("inside the model a pill stays with its scope, though another one's is nearer to where it wants to be") {
+  FrontOfBox stage;
+  stage.scene.scopes.push_back({"Box", 1, boxAt({-4, -3, -3}, {8, 5, 6})});
+  stage.scopes = {0, 1};
+  const Parameter parameter{.name = "Attic", .title = "Attic", .type = ParameterType::kBool};
+  const Annotation annotation = annotated(HandleType::kBoolean, Orient::kUp, Slip::kNone);
+  History history{0};
+  PlacedHandle placed;
+  REQUIRE_FALSE(placePill({0, parameter, annotation, stage.scopes, 1, history, true}, stage.context(), placed));
+  CHECK(placed.scope == 0);
+  history.choose(placed.identity, -1);
+  // Something lands on its anchor, so there is room only beside it.
+  stage.landed.addLabel(Box2{placed.anchor, placed.anchor}.grown(8));
+  history.age();
+  REQUIRE_FALSE(placePill({0, parameter, annotation, stage.scopes, 1, history, true}, stage.context(), placed));
+  CHECK(placed.scope == 0);
+  CHECK(placed.box.center() != placed.anchor);
+  REQUIRE_FALSE(placePill({0, parameter, annotation, stage.scopes, 1, stage.none, true}, stage.context(), placed));
+  CHECK(placed.scope == 1);
+}
+
 TEST_CASE("an arc begins on the axis after its own and turns towards the next, about the scope's origin") {
   const Arc arc = arcAt(annotated(HandleType::kAngular, Orient::kFront, Slip::kNone), boxAt({1, 2, 3}, {4, 5, 6}), 0.5, 0.1, 100);
   CHECK(arc.center == Vec3(1, 2, 3));

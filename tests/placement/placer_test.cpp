@@ -555,6 +555,29 @@ TEST_CASE("inside the model, a line that gave way comes back when it has had roo
   CHECK(fresh.find("Height") != nullptr);
 }
 
+TEST_CASE("while the camera comes nearer, no line comes out of the model for a few frames") {
+  Stage stage(boxWithDoor());
+  std::vector<std::vector<PlacedLine>> frames;
+  for (double azimuth = 0; azimuth < 90; azimuth += 5) {
+    stage.placer.forget();
+    double distanceM = 28;
+    for (int i = 0; i < 110; ++i, distanceM *= 0.983) frames.push_back(stage.look(orbitCamera({0, 2.5, 0}, distanceM, azimuth + 0.25 * i, 20)).lines);
+    const auto insideIn = [&](std::size_t frame, std::size_t parameter) -> std::optional<bool> {
+      const auto found = std::ranges::find(frames[frame], parameter, &PlacedLine::parameter);
+      return found == frames[frame].end() ? std::nullopt : std::optional(found->placement == PlacementKind::kInside);
+    };
+    for (std::size_t parameter = 0; parameter < 5; ++parameter) {
+      for (std::size_t i = 1; i + 5 < frames.size(); ++i) {
+        const bool comesOut = insideIn(i - 1, parameter) == true && insideIn(i, parameter) == false;
+        if (!comesOut) continue;
+        INFO("azimuth " << azimuth << ", frame " << i << ", parameter " << parameter);
+        for (std::size_t k = i; k < i + 5; ++k) CHECK(insideIn(k, parameter) != true);
+      }
+    }
+    frames.clear();
+  }
+}
+
 TEST_CASE("no line outside the model runs across one that stays on its base line") {
   ModelDefinition definition = boxWithDoor();
   definition.parameters.resize(2);
