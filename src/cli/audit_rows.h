@@ -36,7 +36,8 @@ enum class AuditRow : std::uint8_t {
   /// of the model. Found by trying offsets a quarter of a pixel apart. Lines that snapped to a guide, chains and object
   /// planes are left out.
   kOffset,
-  /// Pairs of lines that cross by more than half a pixel, or lie on each other for more than 2 px.
+  /// Pairs of lines that cross by more than half a pixel, or lie on each other for more than 2 px. Of two lines inside
+  /// whose base lines in view all do that, it is said that they have no other.
   kLineCrossings,
   /// Lines that cross an extension line of another line by more than half a pixel.
   kExtensionCrossings,

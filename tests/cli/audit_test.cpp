@@ -154,6 +154,25 @@ TEST_CASE("audit: lines that cross") {
   CHECK(stage.figure(AuditRow::kLineCrossings).offences == 0);
 }
 
+TEST_CASE("audit: two lines inside that cross have no other base lines, or they have") {
+  Stage stage;
+  stage.add(kA, vertical(200)).placement = PlacementKind::kInside;
+  stage.add(kB, level(200, 100, 300)).placement = PlacementKind::kInside;
+  stage.model.annotations[kA]->type = HandleType::kLinearCenter;
+  stage.model.annotations[kB]->type = HandleType::kLinearCenter;
+  const auto names = [&] {
+    const std::vector<OffenceGroup> worst = stage.measured().worst(AuditRow::kLineCrossings, 1);
+    REQUIRE(worst.size() == 1);
+    return worst[0].names;
+  };
+  CHECK(names() == "A × B, which have no other base line");
+  stage.model.annotations[kB]->type = HandleType::kLinearContour;  // along the block's edges as well
+  CHECK(names() == "A × B");
+  stage.model.annotations[kB]->type = HandleType::kLinearCenter;
+  stage.layout.lines[1].placement = PlacementKind::kOutside;
+  CHECK(names() == "A × B");
+}
+
 TEST_CASE("audit: lines that cross another's extension line") {
   Stage stage;
   stage.add(kA, vertical(100), vertical(40));
