@@ -112,6 +112,10 @@ inline constexpr double kScoreInside = -40.0 * kHandleSpacingPx;
 /// What it costs a line inside the model to run across another's extension line, through a label, or into a line inside that is still to be placed: more than staying is worth, since
 /// its other base lines are near by.
 inline constexpr double kScoreAmissInside = -22.0 * kHandleSpacingPx;
+/// What it costs a line inside that the model is before it: it seems to measure what it is drawn over. More than running across something. It counts from so much (sine of the angle by
+/// which the faces beside it are turned away) for a line that is there already: fewer changes at the edge of sight, and a line that is seen through the model for a little longer.
+inline constexpr double kScoreBehindScope = -25.0 * kHandleSpacingPx;
+inline constexpr double kBehindScopeSin = 0.15;
 /// Attempts at a moved frame, each about as long as placing it. More find more and cost more.
 inline constexpr int kMendingAttempts = 2;
 /// Moved frames after which any line may look for a better place, though nothing is amiss with it.

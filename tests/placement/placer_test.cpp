@@ -555,6 +555,28 @@ TEST_CASE("inside the model, a line that gave way comes back when it has had roo
   CHECK(fresh.find("Height") != nullptr);
 }
 
+TEST_CASE("inside the model, lines lie on edges that are seen rather than behind it") {
+  ModelDefinition definition = boxWithDoor();
+  for (Parameter& parameter : definition.parameters) parameter.annotation.replace(parameter.annotation.find("slip="), std::string::npos, "slip=none)");
+  Stage stage(definition);
+  for (double azimuth = 5; azimuth < 360; azimuth += 10) {
+    stage.placer.forget();
+    stage.look(orbitCamera({0, 2.5, 0}, 30, azimuth, 15));
+    for (const std::string_view name : {"Width", "Height", "Depth"}) {
+      const PlacedLine* line = stage.find(name);
+      REQUIRE(line != nullptr);
+      REQUIRE(line->placement == PlacementKind::kInside);
+      // The box is convex: an edge is seen when one of the two faces that it bounds is.
+      const Vec3 middle = line->base.middle() - Vec3(0, 2.5, 0);
+      const Vec3 toEye = stage.layout.view.camera().eye - line->base.middle();
+      bool seen = false;
+      for (int axis = 0; axis < 3; ++axis) seen = seen || (std::abs(middle[axis]) > 0.1 && middle[axis] * toEye[axis] > 0);
+      INFO(name << " at " << azimuth);
+      CHECK(seen);
+    }
+  }
+}
+
 TEST_CASE("while the camera comes nearer, no line comes out of the model for a few frames") {
   Stage stage(boxWithDoor());
   std::vector<std::vector<PlacedLine>> frames;
