@@ -22,12 +22,12 @@ Segment world(double x0, double y0, double x1, double y1) { return {{x0, 1000 - 
 Segment2 screen(double x0, double y0, double x1, double y1) { return {{x0, y0}, {x1, y1}}; }
 
 /// Parameters 0 and 1, placed in that order; the model covers x and y from 400 to 600.
-struct Stage {
+struct TwoLines {
   std::vector<Measured> order = std::vector<Measured>(2);
   DistanceFields model;
   LookAhead lookAhead;
 
-  Stage() {
+  TwoLines() {
     order[0].parameter = 0;
     order[1].parameter = 1;
     model.reset(1000, 1000);
@@ -42,7 +42,7 @@ struct Stage {
 }  // namespace
 
 TEST_CASE("a line sees the places of those after it, not its own and not those before") {
-  Stage stage;
+  TwoLines stage;
   stage.begin(true);
   stage.lookAhead.note(1, world(420, 400, 580, 400), world(420, 400, 580, 400), world(420, 350, 580, 350));   // 50 px above the model
   stage.begin(true);
@@ -54,7 +54,7 @@ TEST_CASE("a line sees the places of those after it, not its own and not those b
 }
 
 TEST_CASE("before a still camera the same lines are looked at again") {
-  Stage stage;
+  TwoLines stage;
   stage.begin(true);
   stage.lookAhead.note(1, world(420, 400, 580, 400), world(420, 400, 580, 400), world(420, 350, 580, 350));
   stage.begin(true);
@@ -72,7 +72,7 @@ TEST_CASE("before a still camera the same lines are looked at again") {
 }
 
 TEST_CASE("crowding is nearer than handleSpacing") {
-  Stage stage;
+  TwoLines stage;
   stage.begin(true);
   stage.lookAhead.note(1, world(420, 400, 580, 400), world(420, 400, 580, 400), world(420, 350, 580, 350));
   stage.begin(true);
@@ -82,7 +82,7 @@ TEST_CASE("crowding is nearer than handleSpacing") {
 }
 
 TEST_CASE("a line shadows another when it stands between that one and each edge it was seen from") {
-  Stage stage;
+  TwoLines stage;
   stage.begin(true);
   // Above the model: seen from the top, and along its rows from left and right, where nothing is.
   stage.lookAhead.note(1, world(420, 400, 580, 400), world(420, 400, 580, 400), world(420, 350, 580, 350));
@@ -92,7 +92,7 @@ TEST_CASE("a line shadows another when it stands between that one and each edge 
   CHECK_FALSE(stage.lookAhead.shadows(above, above));   // left and right are still free
 
   // Within the model's rows and columns, in front of its left side: only the left edge sees it.
-  Stage other;
+  TwoLines other;
   other.begin(true);
   other.lookAhead.note(1, world(400, 450, 400, 550), world(400, 450, 400, 550), world(350, 450, 350, 550));
   other.begin(true);
@@ -112,7 +112,7 @@ TEST_CASE("a line shadows another when it stands between that one and each edge 
 }
 
 TEST_CASE("a base line inside keeps off those of later lines that were inside, and of no others") {
-  Stage stage;
+  TwoLines stage;
   stage.begin(true);
   stage.lookAhead.noteInside(1, world(420, 500, 580, 500));
   stage.lookAhead.note(1, world(420, 400, 580, 400), world(420, 400, 580, 400), world(420, 350, 580, 350));
