@@ -23,7 +23,7 @@ struct Flight {
 Flight orbit(const Bounds& bounds, double elevationDeg, double stepDeg, double widthPx, double heightPx);
 
 /// A flight made up from a number: some way round, then towards the model until its silhouette has left the viewport,
-/// then back; a degree or 3 % of the distance a step. Perspective with 0.2 to 100 degrees of field of view, or
+/// then back; a degree, or 1.7 % of the distance, a step. Perspective with 0.2 to 100 degrees of field of view, or
 /// orthographic; viewport from 300x200 to 3840x2160.
 Flight randomFlight(const Bounds& bounds, std::uint64_t number);
 

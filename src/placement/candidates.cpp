@@ -214,7 +214,7 @@ void gatherOutsideCandidates(const CandidateContext& context, const UsableBaseLi
     candidate.placement = PlacementKind::kOutside;
     candidate.leastM = offsetM;
     if (candidate.identity == context.history.last()) {
-      const double stepM = context.viewMoved ? kRelaxPx * context.view.metresPerPixelAt(candidate.foot.middle()) : 0.0;
+      const double stepM = context.viewMoved ? metresAt(candidate, kRelaxPx, context.view) : 0.0;
       const double relaxedM = std::min(context.history.relaxedOffsetM(offsetM, stepM), mostM);
       if (relaxedM > offsetM && placeAt(candidate, *slide, relaxedM, context.view)) {
         candidate.hasSecondOffset = true;
@@ -247,6 +247,8 @@ void gatherInsideCandidate(const CandidateContext& context, const UsableBaseLine
   if (behindItsScope(base.line, context.view, candidate.identity == context.history.last() ? kBehindScopeSin : 0.0)) candidate.score += kScoreBehindScope;
   candidates.push_back(candidate);
 }
+
+double metresAt(const Candidate& candidate, double px, const View& view) { return px * view.metresPerPixelAt(candidate.foot.middle()); }
 
 bool pushOutward(Candidate& candidate, double byPx, const View& view) {
   const Vec3 middle = candidate.line.middle();

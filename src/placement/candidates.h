@@ -96,6 +96,9 @@ void gatherOutsideCandidates(const CandidateContext& context, const UsableBaseLi
 /// Adds the base line itself (algorithm 1, line 9).
 void gatherInsideCandidate(const CandidateContext& context, const UsableBaseLine& base, const Obb& scope, std::vector<Candidate>& candidates);
 
+/// So many pixels as metres, at the depth of where a candidate set out from.
+double metresAt(const Candidate& candidate, double px, const View& view);
+
 /// Moves an outside candidate further out by `byPx` on screen, where its label has room or it runs across nothing. False when it would leave the
 /// viewport, pass the near plane or leave its part of the plane, and for one on a guide, which it must not leave.
 bool pushOutward(Candidate& candidate, double byPx, const View& view);

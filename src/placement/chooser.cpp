@@ -170,7 +170,7 @@ void Chooser::addMembers(AmongOthers& among, const ChoiceContext& context) {
 void Chooser::pushClear(Candidate& candidate, AmongOthers& among, const Measured& measured, const ChoiceContext& context, const History& history) {
   if (!among.tangled()) return;
   const bool last = candidate.identity == history.last();
-  const double stepM = context.viewMoved ? kClearPx * context.view.metresPerPixelAt(candidate.foot.middle()) : 0.0;
+  const double stepM = context.viewMoved ? metresAt(candidate, kClearPx, context.view) : 0.0;
   const double mostM = last ? history.mostOffsetM(stepM) : std::numeric_limits<double>::infinity();
   if (candidate.offsetM >= mostM) return;
   Candidate pushed;

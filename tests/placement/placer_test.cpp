@@ -76,15 +76,6 @@ ModelDefinition wallWithPlateAndBays(const WallPlan& plan) {
   return definition;
 }
 
-/// At 50 px a metre, horizontally at a height.
-Camera straightAt(double heightM) {
-  Camera camera;
-  camera.eye = {0, heightM, 30};
-  camera.target = {0, heightM, 0};
-  camera.orthoHeightM = 20;
-  return camera;
-}
-
 }  // namespace
 
 TEST_CASE("on orbits, every line keeps handleSpacing from the model, and labels do not touch it") {
@@ -317,20 +308,6 @@ TEST_CASE("a line that was hidden is not shown for a feature that is about to go
   CHECK(framesShown(99) == 0);   // at 106 it is out of sight for good
 }
 
-TEST_CASE("zoomed in until the silhouette leaves the viewport, lines lie on their base lines") {
-  Stage stage(boxWithDoor());
-  Camera camera = orbitCamera({0, 1, 3}, 3.5, 10, 5);
-  const Layout& layout = stage.look(camera);
-  REQUIRE_FALSE(layout.lines.empty());
-  for (const PlacedLine& line : layout.lines) {
-    CHECK(line.placement == PlacementKind::kInside);
-    CHECK(line.planeKind == PlaneKind::kNone);
-    CHECK(line.line.start == line.base.start);
-    CHECK(line.extensionStart.empty());
-  }
-  CHECK(stage.find("DoorHeight") != nullptr);
-}
-
 TEST_CASE("what cannot be shown says why") {
   Stage stage(boxWithDoor());
   const auto reason = [&](std::string_view name) {
@@ -491,135 +468,6 @@ TEST_CASE("in a viewport that is too small the shortest lines are hidden until n
     }
   }
   CHECK(crowded > 0);
-}
-
-namespace {
-
-/// A wall that fills every picture of it from near by, with a short line across its middle, and a mast of the wall's height before it.
-ModelDefinition wallWithMast() {
-  ModelDefinition definition = boxWithDoor();
-  definition.name = "wall";
-  definition.parameters.resize(2);
-  definition.parameters[0].annotation = "@Handle(scope=Plate, type=linear-center, orient=right, slip=scope)";
-  definition.parameters[1].annotation = "@Handle(scope=Mast, type=linear-center, orient=up, slip=scope)";
-  definition.build = [](const Values&) {
-    return sceneOf({{"Wall", boxAt({-20, -10, -1}, {40, 20, 1})}, {"Plate", boxAt({-0.5, -0.1, 0}, {1, 0.2, 0.1})}, {"Mast", boxAt({-0.1, -10, 0}, {0.2, 20, 0.1})}});
-  };
-  return definition;
-}
-
-/// Sees 4 m of that wall, from a height above its middle.
-Camera wallFrom(double heightM) {
-  Camera camera;
-  camera.eye = {0, heightM, 10};
-  camera.target = {0, heightM, 0};
-  camera.orthoHeightM = 4;
-  return camera;
-}
-
-}  // namespace
-
-TEST_CASE("inside the model, a line that leads out of the picture gives way to one that it would run across") {
-  Stage stage(wallWithMast());
-  stage.look(wallFrom(0));
-  REQUIRE(stage.find("Width") != nullptr);
-  CHECK(stage.find("Width")->placement == PlacementKind::kInside);
-  CHECK(stage.find("Height") == nullptr);
-  REQUIRE(stage.layout.hidden.size() == 1);
-  CHECK(stage.layout.hidden[0].reason == HiddenReason::kOutOfView);
-  // All hidden handles are shown on demand, this one too.
-  stage.placer.showHidden(true);
-  stage.look(wallFrom(0));
-  CHECK(stage.find("Height") != nullptr);
-}
-
-TEST_CASE("inside the model, a line that gave way comes back when it has had room for a while, and not before a still camera") {
-  Stage stage(wallWithMast());
-  stage.look(wallFrom(0));
-  REQUIRE(stage.find("Height") == nullptr);
-  // The short line is out of the picture at once.
-  int frames = 0;
-  for (; stage.find("Height") == nullptr && frames < 100; ++frames) {
-    stage.look(wallFrom(4 + 0.01 * frames));
-    REQUIRE(stage.find("Width") == nullptr);
-    for (int still = 0; frames == 3 && still < 40; ++still) {
-      stage.look(wallFrom(4 + 0.01 * frames));
-      REQUIRE(stage.find("Height") == nullptr);
-    }
-  }
-  CHECK(frames > kPatienceFrames);
-  CHECK(frames <= kPatienceFrames + 2);
-  // What has never given way is shown at once.
-  Stage fresh(wallWithMast());
-  fresh.look(wallFrom(4));
-  CHECK(fresh.find("Height") != nullptr);
-}
-
-TEST_CASE("inside the model, lines lie on edges that are seen rather than behind it") {
-  ModelDefinition definition = boxWithDoor();
-  for (Parameter& parameter : definition.parameters) parameter.annotation.replace(parameter.annotation.find("slip="), std::string::npos, "slip=none)");
-  Stage stage(definition);
-  for (double azimuth = 5; azimuth < 360; azimuth += 10) {
-    stage.placer.forget();
-    stage.look(orbitCamera({0, 2.5, 0}, 30, azimuth, 15));
-    for (const std::string_view name : {"Width", "Height", "Depth"}) {
-      const PlacedLine* line = stage.find(name);
-      REQUIRE(line != nullptr);
-      REQUIRE(line->placement == PlacementKind::kInside);
-      // The box is convex: an edge is seen when one of the two faces that it bounds is.
-      const Vec3 middle = line->base.middle() - Vec3(0, 2.5, 0);
-      const Vec3 toEye = stage.layout.view.camera().eye - line->base.middle();
-      bool seen = false;
-      for (int axis = 0; axis < 3; ++axis) seen = seen || (std::abs(middle[axis]) > 0.1 && middle[axis] * toEye[axis] > 0);
-      INFO(name << " at " << azimuth);
-      CHECK(seen);
-    }
-  }
-}
-
-TEST_CASE("while the camera comes nearer, no line comes out of the model for a few frames") {
-  Stage stage(boxWithDoor());
-  std::vector<std::vector<PlacedLine>> frames;
-  for (double azimuth = 0; azimuth < 90; azimuth += 5) {
-    stage.placer.forget();
-    double distanceM = 28;
-    for (int i = 0; i < 110; ++i, distanceM *= 0.983) frames.push_back(stage.look(orbitCamera({0, 2.5, 0}, distanceM, azimuth + 0.25 * i, 20)).lines);
-    const auto insideIn = [&](std::size_t frame, std::size_t parameter) -> std::optional<bool> {
-      const auto found = std::ranges::find(frames[frame], parameter, &PlacedLine::parameter);
-      return found == frames[frame].end() ? std::nullopt : std::optional(found->placement == PlacementKind::kInside);
-    };
-    for (std::size_t parameter = 0; parameter < 5; ++parameter) {
-      for (std::size_t i = 1; i + 5 < frames.size(); ++i) {
-        const bool comesOut = insideIn(i - 1, parameter) == true && insideIn(i, parameter) == false;
-        if (!comesOut) continue;
-        INFO("azimuth " << azimuth << ", frame " << i << ", parameter " << parameter);
-        for (std::size_t k = i; k < i + 5; ++k) CHECK(insideIn(k, parameter) != true);
-      }
-    }
-    frames.clear();
-  }
-}
-
-TEST_CASE("no line outside the model runs across one that stays on its base line") {
-  ModelDefinition definition = boxWithDoor();
-  definition.parameters.resize(2);
-  definition.parameters[0].annotation = "@Handle(scope=Box, type=linear-contour, orient=right, slip=scope, align=top)";
-  definition.parameters[1].annotation = "@Handle(scope=Pole, type=linear-center, orient=up, slip=none)";
-  // Nothing is drawn of the pole, so the silhouette does not know of it.
-  definition.build = [](const Values&) {
-    Scene scene = sceneOf({{"Box", boxAt({-4, 0, -3}, {8, 5, 6})}});
-    scene.scopes.push_back({"Pole", 0, boxAt({-0.1, 5, 3}, {0.2, 4, 0.1})});
-    finish(scene);
-    return scene;
-  };
-  Stage stage(definition);
-  for (double azimuth = -20; azimuth <= 20; azimuth += 1) {
-    stage.look(orbitCamera({0, 2.5, 0}, 30, azimuth, 10));
-    REQUIRE(stage.find("Width") != nullptr);
-    REQUIRE(stage.find("Height") != nullptr);
-    CHECK(stage.find("Width")->placement == PlacementKind::kOutside);
-    CHECK_FALSE(segmentsCross(stage.find("Width")->lineScreen, stage.find("Height")->lineScreen, kCrossingPx));
-  }
 }
 
 TEST_CASE("a warmed-up orbit, in which lines change places and are mended, allocates nothing") {

@@ -82,4 +82,13 @@ inline Camera orbitCamera(const Vec3& target, double distanceM, double azimuthDe
   return camera;
 }
 
+/// Orthographic, from the front and horizontally at a height, over so many metres of height: in 1000x1000, 50 px a metre unless told.
+inline Camera straightAt(double heightM, double seenM = 20) {
+  Camera camera;
+  camera.eye = {0, heightM, 30};
+  camera.target = {0, heightM, 0};
+  camera.orthoHeightM = seenM;
+  return camera;
+}
+
 }  // namespace dimline::test
