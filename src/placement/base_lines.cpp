@@ -29,6 +29,9 @@ BaseLine linear(const Obb& scope, const AxisSense& along, int sideA, int sideB, 
   line.segment = {scope.at(from), scope.at(to)};
   line.scopePlanes.push_back(planeAlong(scope, axisA, axisB, sideB));
   line.scopePlanes.push_back(planeAlong(scope, axisB, axisA, sideA));
+  for (const ScopePlane& plane : line.scopePlanes) {
+    if (plane.inFace) line.faces.push_back(plane.normal);
+  }
   return line;
 }
 
@@ -107,6 +110,11 @@ void addSpherical(const Annotation& annotation, const Obb& scope, const View& vi
 }
 
 }  // namespace
+
+bool turnedAway(const BaseLine& line, const View& view, double leastSin) {
+  const Vec3 sight = view.directionTo(line.segment.middle());
+  return !line.faces.empty() && std::ranges::all_of(line.faces, [&](const Vec3& normal) { return glm::dot(normal, sight) > leastSin; });
+}
 
 BaseLines baseLines(const Annotation& annotation, const Obb& scope, const View& view) {
   BaseLines lines;

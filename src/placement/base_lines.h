@@ -19,7 +19,11 @@ struct BaseLine {
   /// Which of the scope's base lines this is; the same line of the same scope keeps its number over frames and rebuilds.
   int number = 0;
   FixedVector<ScopePlane, 2> scopePlanes;   ///< none for the spherical types
+  FixedVector<Vec3, 2> faces;               ///< outward normals of the scope's faces that meet in it, of linear-contour; none for the other types
 };
+
+/// Whether a base line lies behind its scope: all faces that meet in it are turned away from the viewer, each by more than an angle of that sine. Never for a line that no faces meet in.
+bool turnedAway(const BaseLine& line, const View& view, double leastSin);
 
 /// At most four a scope.
 using BaseLines = FixedVector<BaseLine, 4>;

@@ -84,13 +84,6 @@ bool placeAt(Candidate& candidate, const Slide& slide, double offsetM, const Vie
   return true;
 }
 
-/// Whether a base line is an edge between two faces of its scope's box that are both turned away from the viewer, each by more than an angle of that sine.
-bool behindItsScope(const BaseLine& line, const View& view, double leastSin) {
-  const Vec3 sight = view.directionTo(line.segment.middle());
-  const auto facesAway = [&](const ScopePlane& plane) { return plane.inFace && glm::dot(plane.normal, sight) > leastSin; };
-  return line.scopePlanes.size() > 0 && std::ranges::all_of(line.scopePlanes, facesAway);
-}
-
 /// Scores the placed candidate and keeps it.
 void keep(const CandidateContext& context, const UsableBaseLine& base, Candidate& candidate, std::vector<Candidate>& candidates) {
   // Before a still camera it is the place itself that is looked for: the same identity may have others, on guides.
@@ -105,14 +98,11 @@ void keep(const CandidateContext& context, const UsableBaseLine& base, Candidate
                            .facing = candidate.plane.facing}) +
                     candidate.hysteresis;
   const Identity& identity = candidate.identity;
-  const auto lasts = [&] {
-    return context.foresight.staysInside(candidate.line) &&
-           context.foresight.lasts(base.line, context.annotation.slip, candidate.plane, identity.direction, candidate.offsetM);
-  };
-  if (identity != context.history.last() && !lasts()) {
+  if (identity != context.history.last()) {
+    const double price = context.foresight.price({base.line, context.annotation.slip, candidate.plane, identity.direction, candidate.offsetM, candidate.line});
     // A line inside the model does not come out to where it could not stay.
-    if (context.history.wasInside()) return;
-    candidate.score += kScoreSoonGone;
+    if (price < 0 && context.history.wasInside()) return;
+    candidate.score += price;
   }
   candidates.push_back(candidate);
 }
@@ -243,8 +233,8 @@ void gatherInsideCandidate(const CandidateContext& context, const UsableBaseLine
   // A scope whose middle is behind the viewer has no direction on screen; then length alone decides.
   const Vec2 middleScreen = context.view.inFrontOfNear(middle) ? context.view.toScreen(middle) : base.screen.middle();
   candidate.score = scoreInside(base.screen, middleScreen, context.annotation.align) + context.history.bonus(candidate.identity);
-  if (!context.foresight.staysInSight(candidate.base)) candidate.score += kScoreSoonGone;
-  if (behindItsScope(base.line, context.view, candidate.identity == context.history.last() ? kBehindScopeSin : 0.0)) candidate.score += kScoreBehindScope;
+  candidate.score += context.foresight.priceInside(candidate.base);
+  if (turnedAway(base.line, context.view, candidate.identity == context.history.last() ? kBehindScopeSin : 0.0)) candidate.score += kScoreBehindScope;
   candidates.push_back(candidate);
 }
 

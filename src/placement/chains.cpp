@@ -76,6 +76,7 @@ std::vector<Cluster> clusterBaseLines(const Annotation& annotation, std::span<co
           cluster = &clusters.emplace_back();
           cluster->along = along;
           cluster->plane = plane;
+          cluster->faces = line.faces;
         }
         cluster->members.push_back({.scope = scope, .segment = line.segment});
       }
@@ -105,6 +106,7 @@ BaseLine chainBaseLine(const Cluster& cluster, int side) {
   BaseLine line;
   line.segment = cluster.sides[static_cast<std::size_t>(side)];
   line.number = side;
+  line.faces = cluster.faces;
   ScopePlane plane = cluster.plane;
   if (side == 0) plane.across = -plane.across;
   line.scopePlanes.push_back(plane);

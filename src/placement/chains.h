@@ -25,6 +25,7 @@ struct ChainMember {
 struct Cluster {
   Vec3 along{0.0};
   ScopePlane plane;                 ///< `across` is the direction from side 0 to side 1
+  FixedVector<Vec3, 2> faces;       ///< as of its first member: all are of one annotation
   std::vector<ChainMember> members;
   std::array<Segment, 2> sides;     ///< the chain base lines: the rectangle's two sides along the members
   /// For each side the members' indices, nearest to that side first: in this order they are projected.

@@ -23,58 +23,93 @@ double zoomBetween(const Camera& before, const Camera& now) {
   return glm::length(now.eye - now.target) / glm::length(before.eye - before.target);
 }
 
-/// The movement from one view to the next, gone on with until the view has turned by kForesightRad or come nearer by kForesightZoom.
-std::optional<View> goneOn(const View& before, const View& now, const Bounds& bounds) {
-  const double turnRad = turnBetween(before, now);
-  const double zoom = zoomBetween(before.camera(), now.camera());
-  const double zooming = std::abs(std::log(zoom));
-  const bool turns = turnRad >= kLeastTurnRad;
-  const bool zooms = zooming >= kLeastZoom;   // false for a NaN too
-  if (!turns && !zooms) return std::nullopt;
-  int frames = kMostFramesAhead;
-  if (turns) frames = std::min(frames, static_cast<int>(kForesightRad / turnRad));
-  if (zooms) frames = std::min(frames, static_cast<int>(kForesightZoom / zooming));
-  const Mat3 turn = axes(now) * glm::transpose(axes(before));
-  Camera camera = now.camera();
-  Vec3 shift = camera.target - before.camera().target;
-  Vec3 arm = camera.eye - camera.target;
-  for (frames = std::max(frames, 1); frames > 0; --frames) {
-    shift = turn * shift;
-    camera.target += shift;
-    camera.up = turn * camera.up;
-    arm = turn * arm;
-    if (zooms && camera.orthoHeightM) *camera.orthoHeightM *= zoom;
-    if (zooms && !camera.orthoHeightM) arm *= zoom;
+/// The camera's movement from one view to the next, to be gone on with.
+class Movement {
+ public:
+  Movement(const View& before, const View& now)
+      : camera_(now.camera()), turn_(axes(now) * glm::transpose(axes(before))), shift_(now.camera().target - before.camera().target), turnRad_(turnBetween(before, now)),
+        zoom_(zoomBetween(before.camera(), now.camera())) {}
+
+  [[nodiscard]] bool turns() const { return turnRad_ >= kLeastTurnRad; }
+  [[nodiscard]] bool zooms() const { return zooming() >= kLeastZoom; }   // false for a NaN too
+  /// Until the view has turned by kForesightRad or its picture has grown, or shrunk, by kForesightZoom; one at least.
+  [[nodiscard]] int framesAhead() const {
+    int frames = kMostFramesAhead;
+    if (turns()) frames = std::min(frames, static_cast<int>(kForesightRad / turnRad_));
+    if (zooms()) frames = std::min(frames, static_cast<int>(kForesightZoom / zooming()));
+    return std::max(frames, 1);
   }
-  camera.eye = camera.target + arm;
-  return View(camera, now.widthPx(), now.heightPx(), bounds);
-}
+  void goOn() {
+    const Vec3 arm = turn_ * (camera_.eye - camera_.target);
+    shift_ = turn_ * shift_;
+    camera_.target += shift_;
+    camera_.up = turn_ * camera_.up;
+    if (zooms() && camera_.orthoHeightM) *camera_.orthoHeightM *= zoom_;
+    camera_.eye = camera_.target + (zooms() && !camera_.orthoHeightM ? arm * zoom_ : arm);
+  }
+  [[nodiscard]] const Camera& camera() const { return camera_; }
+
+ private:
+  [[nodiscard]] double zooming() const { return std::abs(std::log(zoom_)); }
+
+  Camera camera_;
+  Mat3 turn_;
+  Vec3 shift_;
+  double turnRad_;
+  double zoom_;
+};
 
 }  // namespace
 
 void Foresight::begin(const std::optional<View>& before, const View& now, const Bounds& bounds, std::span<const ObjectPlane> objectPlanes, double toleranceM) {
-  if (!before) ahead_.reset();
-  if (before && before->viewProjection() != now.viewProjection()) ahead_ = goneOn(*before, now, bounds);
-  if (!ahead_) return;
-  facePlanes(objectPlanes, *ahead_, objectUses_);
-  object_ = {objectPlanes, objectUses_, toleranceM};
+  objectPlanes_ = objectPlanes;
+  toleranceM_ = toleranceM;
+  if (!before) lookCount_ = 0;
+  if (!before || before->viewProjection() == now.viewProjection()) return;
+  Movement movement(*before, now);
+  const int frames = movement.framesAhead();
+  const int looks = !movement.zooms() && !movement.turns() ? 0 : std::min(movement.zooms() ? kLooksAheadZooming : kLooksAheadTurning, frames);
+  lookCount_ = static_cast<std::size_t>(looks);
+  lossPrice_ = kScoreSoonGone * (movement.zooms() ? kSoonGoneZooming : 1.0);
+  if (looks_.size() < lookCount_) looks_.resize(lookCount_);
+  int frame = 0;
+  for (int i = 1; i <= looks; ++i) {
+    for (const int until = (2 * frames * i + looks) / (2 * looks); frame < until; ++frame) movement.goOn();
+    Look& look = looks_[static_cast<std::size_t>(i - 1)];
+    look.view = View(movement.camera(), now.widthPx(), now.heightPx(), bounds);
+    facePlanes(objectPlanes, look.view, look.objectUses);
+  }
 }
 
-bool Foresight::lasts(const BaseLine& line, Slip slip, const SlipPlane& plane, int direction, double offsetM) {
-  if (!ahead_) return true;
-  slipPlanes(line, slip, *ahead_, object_, planes_);
-  const auto then = std::ranges::find(planes_, plane.number, &SlipPlane::number);
+/// 1 for what is lost at the first look, in equal steps less for later ones, 0 for what is not.
+template <typename Lost>
+double Foresight::lostShare(Lost lost) const {
+  for (std::size_t i = 0; i < lookCount_; ++i) {
+    if (lost(looks_[i])) return static_cast<double>(lookCount_ - i) / static_cast<double>(lookCount_);
+  }
+  return 0;
+}
+
+double Foresight::price(const Place& place) {
+  const double lost = lostShare([&](const Look& look) { return !lastsUntil(look, place); });
+  const double turned = lostShare([&](const Look& look) { return turnedAway(place.base, look.view, kTurnedAwaySin); });
+  return lossPrice_ * std::max(lost, kTurnedAwayShare * turned);
+}
+
+/// Whether the plane has room for the line then, within the viewport.
+bool Foresight::lastsUntil(const Look& look, const Place& place) {
+  if (!onScreen(place.line, look.view)) return false;
+  slipPlanes(place.base, place.slip, look.view, {objectPlanes_, look.objectUses, toleranceM_}, planes_);
+  const auto then = std::ranges::find(planes_, place.plane.number, &SlipPlane::number);
   if (then == planes_.end()) return false;
-  return direction > 0 ? then->lowM <= offsetM && offsetM <= then->highM : -then->highM <= offsetM && offsetM <= -then->lowM;
+  const double offsetM = place.direction * place.offsetM;
+  return then->lowM <= offsetM && offsetM <= then->highM;
 }
 
-bool Foresight::staysInside(const Segment& line) const {
-  return !ahead_ || onScreen(line, *ahead_);
-}
-
-bool Foresight::staysInSight(const Segment& base) const {
-  if (!ahead_) return true;
-  return ahead_->inFrontOfNear(base.start) && ahead_->inFrontOfNear(base.end) && meets(ahead_->toScreen(base), ahead_->viewport());
+double Foresight::priceInside(const Segment& base) const {
+  return lossPrice_ * lostShare([&](const Look& look) {
+           return !look.view.inFrontOfNear(base.start) || !look.view.inFrontOfNear(base.end) || !meets(look.view.toScreen(base), look.view.viewport());
+         });
 }
 
 }  // namespace dimline

@@ -9,24 +9,44 @@
 namespace dimline {
 
 /// Which places the movement of the camera is about to take away. A plane that is turning edge-on is left out soon (paper 4.4), and so is the part of an object plane that a
-/// neighbour is about to cut off; and what the camera comes nearer to leaves the viewport. A line that goes there has to move again at once. So whoever needs a new place asks
-/// whether it will still be one when the camera has gone on for a while as it does now. Beyond the paper, which judges each frame by itself.
+/// neighbour is about to cut off; what the camera comes nearer to leaves the viewport; and a feature that turns away is soon hidden. A line that goes there has to move again at once.
+/// So whoever needs a new place asks what the movement will do to it when it goes on for a while as it does now. Beyond the paper, which judges each frame by itself.
 class Foresight {
  public:
+  /// A place outside the model.
+  struct Place {
+    const BaseLine& base;
+    Slip slip;
+    const SlipPlane& plane;
+    int direction;          ///< +1 or -1
+    double offsetM;
+    const Segment& line;    ///< the final line
+  };
+
   /// A frame begins. `before`: the view of the last frame, if there is one that this one follows from; when it is the same one, before a still camera, the movement is
   /// thought to go on as it did. `bounds`: of the model, in metres.
   void begin(const std::optional<View>& before, const View& now, const Bounds& bounds, std::span<const ObjectPlane> objectPlanes, double toleranceM);
-  /// Whether a plane that a base line may slip on in this frame will still have room for it at `offsetM` in that direction, +1 or -1. True when the view does not move.
-  [[nodiscard]] bool lasts(const BaseLine& line, Slip slip, const SlipPlane& plane, int direction, double offsetM);
-  /// Whether a line that is outside the model will still lie within the viewport's margin; true as well when the view does not move.
-  [[nodiscard]] bool staysInside(const Segment& line) const;
-  /// Whether something of a base line will still be seen in the viewport; true as well when the view does not move.
-  [[nodiscard]] bool staysInSight(const Segment& base) const;
+  /// What a place outside the model costs for what the movement will do to it (px, to be added to its score): 0 when nothing, and always while the view does not move; kScoreSoonGone when the place
+  /// is lost at the first look ahead, in equal steps less when later. A feature that turns away from the viewer costs kTurnedAwayShare of that. More of all when the camera comes nearer or goes away.
+  [[nodiscard]] double price(const Place& place);
+  /// The same for a base line inside the model, for when nothing of it is left in the viewport.
+  [[nodiscard]] double priceInside(const Segment& base) const;
 
  private:
-  std::optional<View> ahead_;       ///< nothing when the view does not move
-  std::vector<ObjectPlaneUse> objectUses_;
-  ObjectPlanesInFrame object_;
+  /// A view of the movement gone on with.
+  struct Look {
+    View view;
+    std::vector<ObjectPlaneUse> objectUses;
+  };
+  [[nodiscard]] bool lastsUntil(const Look& look, const Place& place);
+  template <typename Lost>
+  [[nodiscard]] double lostShare(Lost lost) const;
+
+  std::vector<Look> looks_;         ///< the nearest first; memory for more than there are
+  std::size_t lookCount_ = 0;       ///< none when the view does not move
+  double lossPrice_ = 0;            ///< px, of what is lost at the first look
+  std::span<const ObjectPlane> objectPlanes_;
+  double toleranceM_ = 0;
   std::vector<SlipPlane> planes_;   ///< memory for one base line's
 };
 

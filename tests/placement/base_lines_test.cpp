@@ -57,6 +57,27 @@ TEST_CASE("linear-contour lies on the four edges along its axis") {
   CHECK(lines[3].segment.start == Vec3(12, 0, 1));
 }
 
+TEST_CASE("an edge is turned away when both its faces are, by more than was asked") {
+  const Obb box = turnedBox();   // 10 to 12 in x, 0 to 3 in y, 1 to 5 in z
+  const BaseLines edges = baseLines(annotated(HandleType::kLinearContour, Orient::kUp), box, anyView());
+  const auto turned = [&](const Vec3& eye, double leastSin) {
+    std::vector<std::size_t> which;
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+      if (turnedAway(edges[i], frontView(eye, box.center()), leastSin)) which.push_back(i);
+    }
+    return which;
+  };
+  // From the right in front, the edge at the back on the left.
+  CHECK(turned({40, 1.5, 40}, 0) == std::vector<std::size_t>{2});
+  // From the front, both at the back: their sides turn away by little.
+  CHECK(turned({11, 1.5, 1000}, 0) == std::vector<std::size_t>{2, 3});
+  CHECK(turned({11, 1.5, 1000}, 0.1).empty());
+  // No faces meet in a line through the middle.
+  for (const BaseLine& line : baseLines(annotated(HandleType::kLinearCenter, Orient::kUp), box, anyView())) {
+    CHECK_FALSE(turnedAway(line, frontView({40, 1.5, 40}, box.center()), 0));
+  }
+}
+
 TEST_CASE("an orientation against the axis turns the line round: its moving end is the other one") {
   const BaseLines up = baseLines(annotated(HandleType::kLinearContour, Orient::kUp), turnedBox(), anyView());
   const BaseLines down = baseLines(annotated(HandleType::kLinearContour, Orient::kDown), turnedBox(), anyView());

@@ -88,6 +88,7 @@ TEST_CASE("a chain slips away from its members on either side") {
     const BaseLine line = chainBaseLine(*front, side);
     const Vec3 middle = (front->sides[0].middle() + front->sides[1].middle()) * 0.5;
     REQUIRE(line.scopePlanes.size() == 1);
+    CHECK(line.faces.size() == 2);   // of its members, though it slips along one of them only
     CHECK(glm::dot(line.scopePlanes[0].across, line.segment.middle() - middle) > 0);
   }
 }

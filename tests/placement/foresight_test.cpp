@@ -65,10 +65,28 @@ bool lasts(Slip slip, const std::vector<ObjectPlane>& objectPlanes, const Vec3& 
   slipPlanes(edge(), slip, now, {objectPlanes, uses, kToleranceM}, planes);
   for (const SlipPlane& plane : planes) {
     if (glm::dot(plane.plane.normal, normal) < 0.99) continue;
-    return foresight.lasts(edge(), slip, plane, glm::dot(plane.across, towards) > 0 ? 1 : -1, 1.0);
+    const Segment& atItself = edge().segment;   // in view all the time
+    return foresight.price({edge(), slip, plane, glm::dot(plane.across, towards) > 0 ? 1 : -1, 1.0, atItself}) == 0;
   }
   FAIL("no such plane in this frame");
   return false;
+}
+
+/// A short line in the middle of the front.
+BaseLine inTheMiddle() {
+  BaseLine line;
+  line.segment = {{-0.1, 1, 0}, {0.1, 1, 0}};
+  return line;
+}
+
+/// What a line in the plane that faces the viewer costs outside the model, for the movement from one view to the next.
+double priceOutside(const View& before, const View& now, const Segment& line, const BaseLine& feature = inTheMiddle()) {
+  Foresight foresight;
+  foresight.begin(before, now, boxBounds(), {}, 1e-3);
+  std::vector<SlipPlane> planes;
+  slipPlanes(feature, Slip::kBillboard, now, {}, planes);
+  REQUIRE(planes.size() == 1);
+  return foresight.price({feature, Slip::kBillboard, planes[0], 1, 0.0, line});
 }
 
 const Vec3 kFront{0, 0, 1};
@@ -92,7 +110,7 @@ TEST_CASE("while the view does not turn, everything lasts") {
   foresight.begin(std::nullopt, turnedBy(80), boxBounds(), {}, 1e-3);
   SlipPlane none;
   none.number = 7;   // not one of the edge's
-  CHECK(foresight.lasts(edge(), Slip::kScope, none, 1, 1.0));
+  CHECK(foresight.price({edge(), Slip::kScope, none, 1, 1.0, edge().segment}) == 0);
 }
 
 TEST_CASE("the part of an object plane that a neighbour is about to cut off does not last") {
@@ -111,36 +129,70 @@ TEST_CASE("the part of an object plane that a neighbour is about to cut off does
 
 TEST_CASE("what the camera comes nearer to leaves the viewport") {
   // A height of 9 m after 10 m is one of 7.29 m two frames on, when the picture has grown by about exp(kForesightZoom); half of that lies to the right of the middle.
+  CHECK(priceOutside(seeing(10), seeing(9), rightBy(3.5)) == 0);
+  CHECK(priceOutside(seeing(10), seeing(9), rightBy(3.63)) < 0);   // within the margin of 6 px
+  CHECK(priceOutside(seeing(10), seeing(9), {{-20, 1, 0}, {20, 1, 0}}) < 0);
+  // Going back, there is ever more room.
+  CHECK(priceOutside(seeing(9), seeing(10), rightBy(4.9)) == 0);
+
   Foresight foresight;
   foresight.begin(seeing(10), seeing(9), boxBounds(), {}, 1e-3);
-  CHECK(foresight.staysInside(rightBy(3.5)));
-  CHECK_FALSE(foresight.staysInside(rightBy(3.63)));    // within the margin of 6 px
-  CHECK(foresight.staysInSight(rightBy(3.63)));
-  CHECK_FALSE(foresight.staysInSight(rightBy(3.7)));
-  CHECK(foresight.staysInSight({{-20, 1, 0}, {20, 1, 0}}));
-  CHECK_FALSE(foresight.staysInside({{-20, 1, 0}, {20, 1, 0}}));
-  // Going back, there is ever more room.
-  foresight.begin(seeing(9), seeing(10), boxBounds(), {}, 1e-3);
-  CHECK(foresight.staysInside(rightBy(4.9)));
+  CHECK(foresight.priceInside(rightBy(3.63)) == 0);
+  CHECK(foresight.priceInside(rightBy(3.7)) < 0);
+  CHECK(foresight.priceInside({{-20, 1, 0}, {20, 1, 0}}) == 0);
+}
+
+TEST_CASE("what is lost sooner costs more") {
+  // Both frames are looked at: one on, 8.1 m are seen, 4.05 m of them to the right; two on, 3.645 m.
+  const double worst = kScoreSoonGone * kSoonGoneZooming;
+  CHECK(priceOutside(seeing(10), seeing(9), rightBy(4.2)) == worst);
+  CHECK(priceOutside(seeing(10), seeing(9), rightBy(3.8)) == 0.5 * worst);
+  // A slow movement is looked at kLooksAheadZooming times on its way.
+  Foresight foresight;
+  foresight.begin(seeing(9.01), seeing(9), boxBounds(), {}, 1e-3);
+  double last = worst;
+  int steps = 0;
+  for (double x = 4.6; x > 3; x -= 0.01) {
+    const double price = foresight.priceInside(rightBy(x));
+    CHECK(price >= last);
+    if (price > last) ++steps;
+    last = price;
+  }
+  CHECK(last == 0);
+  CHECK(steps == kLooksAheadZooming);
+}
+
+TEST_CASE("a feature whose faces turn away costs a share, and one that no faces meet in none") {
+  BaseLine frontEdge = edge();
+  frontEdge.faces.push_back({0, 0, 1});
+  frontEdge.faces.push_back({1, 0, 0});
+  const Segment middle = inTheMiddle().segment;
+  // Of its two faces the front turns away after 90 degrees, the right side stays in view.
+  CHECK(priceOutside(turnedBy(78), turnedBy(79), middle, frontEdge) == 0);
+  BaseLine front = edge();
+  front.faces.push_back({0, 0, 1});
+  CHECK(priceOutside(turnedBy(60), turnedBy(61), middle, front) == 0);
+  CHECK(priceOutside(turnedBy(78), turnedBy(79), middle, front) == 0.5 * kTurnedAwayShare * kScoreSoonGone);   // at the second look of two
+  CHECK(priceOutside(turnedBy(88), turnedBy(89), middle, front) == kTurnedAwayShare * kScoreSoonGone);
+  CHECK(priceOutside(turnedBy(88), turnedBy(89), middle, edge()) == 0);
 }
 
 TEST_CASE("a camera that flies towards its target is followed, not through it") {
   // From 30 m at 27 m: at 21.87 m two frames on, where half the viewport is 2.19 m wide.
-  Foresight foresight;
-  foresight.begin(from(30), from(27), boxBounds(), {}, 1e-3);
-  CHECK(foresight.staysInside(rightBy(2.1)));
-  CHECK_FALSE(foresight.staysInside(rightBy(2.25)));
+  CHECK(priceOutside(from(30), from(27), rightBy(2.1)) == 0);
+  CHECK(priceOutside(from(30), from(27), rightBy(2.25)) < 0);
   // By more than that in one frame: the next one is at 2.5 m.
+  Foresight foresight;
   foresight.begin(from(10), from(5), boxBounds(), {}, 1e-3);
-  CHECK(foresight.staysInSight(rightBy(0.2)));
-  CHECK_FALSE(foresight.staysInSight(rightBy(0.3)));
+  CHECK(foresight.priceInside(rightBy(0.2)) == 0);
+  CHECK(foresight.priceInside(rightBy(0.3)) < 0);
 }
 
 TEST_CASE("before a still camera the movement is thought to go on as it did; after a scene's edit it is not") {
   Foresight foresight;
   foresight.begin(seeing(10), seeing(9), boxBounds(), {}, 1e-3);
   foresight.begin(seeing(9), seeing(9), boxBounds(), {}, 1e-3);
-  CHECK_FALSE(foresight.staysInSight(rightBy(3.7)));
+  CHECK(foresight.priceInside(rightBy(3.7)) < 0);
   foresight.begin(std::nullopt, seeing(9), boxBounds(), {}, 1e-3);
-  CHECK(foresight.staysInSight(rightBy(3.7)));
+  CHECK(foresight.priceInside(rightBy(3.7)) == 0);
 }
