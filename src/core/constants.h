@@ -151,7 +151,7 @@ inline constexpr double kForgetTurnRad = 0.6;
 /// px a frame. A line that lies further out than it must, since one nearer to the model has gone, comes nearer by this much in each moved frame, and
 /// is further out than this share of what it must for some frames only: its way stays short without a jump.
 inline constexpr double kRelaxPx = 6.0;
-inline constexpr double kMostOffsetRatio = 1.2;
+inline constexpr double kMostOffsetRatio = 1.15;
 /// Further out than that it comes nearer by so many times kRelaxPx: quickly, and still no leap.
 inline constexpr double kHurryFactor = 5.0;
 
