@@ -130,15 +130,15 @@ inline constexpr double kFrameTurnRad = 0.0174;
 
 /// rad, and the logarithm of a ratio of sizes on screen. How much further the view is thought to turn, or to come nearer, by whoever needs a new place (placement/foresight.h), and what a
 /// place costs that is lost at once then. About as many frames of a steady movement as kReturnFrames. A shorter way ahead: lines go where they cannot stay. A higher price: they go far,
-/// or across extension lines, to last longer.
+/// or across extension lines, to last longer. No whole number of spacings: with one, places tie that the score's other terms tell apart by such numbers.
 inline constexpr double kForesightRad = 0.349;
 inline constexpr double kForesightZoom = 0.3;
-inline constexpr double kScoreSoonGone = -12.0 * kHandleSpacingPx;
+inline constexpr double kScoreSoonGone = -10.3 * kHandleSpacingPx;
 /// At how many views on that way a place is looked at: the sooner it is lost, the more it costs. While the picture grows, one side of the viewport after the other has no room any more, and of places that
 /// are all lost soon the one that lasts longest is wanted: there it is looked at more often, and what is lost costs so many times more. More looks cost time.
 inline constexpr int kLooksAheadTurning = 2;
 inline constexpr int kLooksAheadZooming = 6;
-inline constexpr double kSoonGoneZooming = 3.0;
+inline constexpr double kSoonGoneZooming = 3.5;
 /// What it costs, as a share of a lost place, that the faces which meet in a base line turn away from the viewer, each by this (sine of the angle): what stands on them is hidden soon, but not in
 /// a model that can be seen through. More: lines go far, or across extension lines, to stay with what is in view.
 inline constexpr double kTurnedAwayShare = 0.5;
