@@ -149,6 +149,11 @@ bool showable(const View& view, const Annotation& annotation, const Segment& bas
          angleToViewRad(view, base) > kForeshortenedAngleRad + kPlainlyMoreRad;
 }
 
+/// Whether perspective draws a line much smaller than the base line that it stands for, which makes it no place.
+bool farBehind(const View& view, const Segment& line, const Segment& base) {
+  return !view.camera().orthoHeightM && view.depth(line.middle()) > kMostDepthRatio * view.depth(base.middle());
+}
+
 /// A length that every base line of a type that turns with the view has on screen: half the least size of the box.
 double radiusOnScreenPx(const View& view, const Obb& box) {
   return 0.5 * std::min({box.size.x, box.size.y, box.size.z}) / view.metresPerPixelAt(box.center());
@@ -163,7 +168,7 @@ std::optional<OutsidePlace> placeOnTheWay(const AuditedFrame& frame, const Obsta
   for (int i = 0; i < kMostPlaces; ++i) {
     const Segment line = moved(base, direction * offsetM);
     const auto screen = project(view, line);
-    if (!screen) return std::nullopt;
+    if (!screen || farBehind(view, line, base)) return std::nullopt;
     if (screen->length() > leastLengthPx(annotation) && obstacles.haveRoomFor(*screen) &&
         obstacles.haveRoomForLabelOf(*screen, textSize) && frame.mask->outside(screen->middle())) {
       return OutsidePlace{*screen, frame.mask->seesAnEdge(*screen)};

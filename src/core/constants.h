@@ -34,6 +34,10 @@ inline constexpr double kMinLineLengthPx = 8.0;
 /// and a drag of a pixel would be a leap.
 inline constexpr double kForeshortenedAngleRad = 0.15;
 
+/// How many times as far from the viewer as its base line a line may lie in perspective, and so how much smaller it may be drawn. Larger: from near by, lines lie far behind what they measure,
+/// and 34 m is drawn shorter than 19 m beside it. Smaller: more lines have no place but on the model.
+inline constexpr double kMostDepthRatio = 1.5;
+
 /// A line hidden as too short or foreshortened is shown again when it passes the threshold by this factor, so that it does not come and go at its edge.
 inline constexpr double kShowAgainFactor = 1.2;
 

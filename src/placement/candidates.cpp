@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "placement/on_screen.h"
 #include "placement/score.h"
@@ -30,6 +31,13 @@ bool foreshortened(const Segment& s, const View& view, double cosLeast) {
   return lengthM > 0 && alongView > cosLeast * lengthM;
 }
 
+/// The greatest offset at which the candidate's line lies no further than kMostDepthRatio times as far from the viewer as its base line; only perspective draws what is further away smaller.
+double mostInProportionM(const Candidate& candidate, const View& view) {
+  const double perM = glm::dot(candidate.outward, view.forward());
+  if (view.camera().orthoHeightM || perM <= 0) return std::numeric_limits<double>::infinity();
+  return (kMostDepthRatio * view.depth(candidate.base.middle()) - view.depth(candidate.foot.middle())) / perM;
+}
+
 /// A candidate of `base` on `plane`, not placed yet.
 Candidate unplaced(const UsableBaseLine& base, const SlipPlane& plane, int direction, const CandidateContext& context) {
   Candidate candidate;
@@ -45,7 +53,7 @@ Candidate unplaced(const UsableBaseLine& base, const SlipPlane& plane, int direc
   candidate.foot = {base.line.segment.start + plane.onto, base.line.segment.end + plane.onto};
   candidate.plane = plane;
   candidate.outward = plane.across * static_cast<double>(direction);
-  candidate.mostM = direction > 0 ? plane.highM : -plane.lowM;
+  candidate.mostM = std::min(direction > 0 ? plane.highM : -plane.lowM, mostInProportionM(candidate, context.view));
   candidate.leastPx = context.leastPx;
   return candidate;
 }
