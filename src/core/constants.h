@@ -36,7 +36,7 @@ inline constexpr double kForeshortenedAngleRad = 0.15;
 
 /// How many times as far from the viewer as its base line a line may lie in perspective, and so how much smaller it may be drawn. Larger: from near by, lines lie far behind what they measure,
 /// and 34 m is drawn shorter than 19 m beside it. Smaller: more lines have no place but on the model.
-inline constexpr double kMostDepthRatio = 1.5;
+inline constexpr double kMostDepthRatio = 2.5;
 
 /// A line hidden as too short or foreshortened is shown again when it passes the threshold by this factor, so that it does not come and go at its edge.
 inline constexpr double kShowAgainFactor = 1.2;
@@ -133,16 +133,20 @@ inline constexpr int kPatienceFrames = 15;
 inline constexpr double kFrameTurnRad = 0.0174;
 
 /// rad, and the logarithm of a ratio of sizes on screen. How much further the view is thought to turn, or to come nearer, by whoever needs a new place (placement/foresight.h), and what a
-/// place costs that is lost at once then. About as many frames of a steady movement as kReturnFrames. A shorter way ahead: lines go where they cannot stay. A higher price: they go far,
-/// or across extension lines, to last longer. No whole number of spacings: with one, places tie that the score's other terms tell apart by such numbers.
+/// place costs that is lost at once then. As far as a turn goes in kReturnFrames frames of a steady movement; a zoom five times as far, since it mostly goes on until what is looked for fills the
+/// picture. A shorter way ahead: lines go where they cannot stay. A higher price: they go far, or across extension lines, to last longer. No whole number of spacings: with one, places tie that
+/// the score's other terms tell apart by such numbers.
 inline constexpr double kForesightRad = 0.349;
-inline constexpr double kForesightZoom = 0.3;
-inline constexpr double kScoreSoonGone = -10.3 * kHandleSpacingPx;
+inline constexpr double kForesightZoom = 1.6;
+inline constexpr double kScoreSoonGone = -9.9 * kHandleSpacingPx;
 /// At how many views on that way a place is looked at: the sooner it is lost, the more it costs. While the picture grows, one side of the viewport after the other has no room any more, and of places that
-/// are all lost soon the one that lasts longest is wanted: there it is looked at more often, and what is lost costs so many times more. More looks cost time.
+/// are all lost soon the one that lasts longest is wanted: there it is looked at more often, each time twice as far ahead, and what is lost costs so many times more. More looks cost time.
 inline constexpr int kLooksAheadTurning = 2;
 inline constexpr int kLooksAheadZooming = 6;
 inline constexpr double kSoonGoneZooming = 3.5;
+/// A line inside the model does not come out to a place that is lost before the view has turned by kForesightRad or zoomed by this. Less: it comes out for a moment. More: it stays inside
+/// though there is room.
+inline constexpr double kBriefZoom = 0.7;
 /// What it costs, as a share of a lost place, that the faces which meet in a base line turn away from the viewer, each by this (sine of the angle): what stands on them is hidden soon, but not in
 /// a model that can be seen through. More: lines go far, or across extension lines, to stay with what is in view.
 inline constexpr double kTurnedAwayShare = 0.5;

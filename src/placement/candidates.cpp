@@ -107,10 +107,11 @@ void keep(const CandidateContext& context, const UsableBaseLine& base, Candidate
                     candidate.hysteresis;
   const Identity& identity = candidate.identity;
   if (identity != context.history.last()) {
-    const double price = context.foresight.price({base.line, context.annotation.slip, candidate.plane, identity.direction, candidate.offsetM, candidate.line});
-    // A line inside the model does not come out to where it could not stay.
-    if (price < 0 && context.history.wasInside()) return;
-    candidate.score += price;
+    const Foresight::Prospect prospect =
+        context.foresight.prospect({base.line, context.annotation.slip, candidate.plane, identity.direction, candidate.offsetM, candidate.line});
+    // A line inside the model does not come out for a moment.
+    if (prospect.brief && context.history.wasInside()) return;
+    candidate.score += prospect.price;
   }
   candidates.push_back(candidate);
 }

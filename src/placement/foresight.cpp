@@ -13,7 +13,7 @@ namespace {
 constexpr double kLeastTurnRad = 1e-4;
 constexpr double kLeastZoom = 1e-4;
 /// Frames of the same movement. A slow one is followed less far; what it takes away is taken late as well.
-constexpr int kMostFramesAhead = 60;
+constexpr int kMostFramesAhead = 200;
 
 Mat3 axes(const View& view) { return {view.right(), view.up(), view.forward()}; }
 
@@ -47,6 +47,14 @@ class Movement {
     if (zooms() && camera_.orthoHeightM) *camera_.orthoHeightM *= zoom_;
     camera_.eye = camera_.target + (zooms() && !camera_.orthoHeightM ? arm * zoom_ : arm);
   }
+  /// When a look ahead of so many is due, in frames from now: in equal steps or, while the camera comes nearer or goes away, each twice as far ahead as the one before it.
+  [[nodiscard]] int frameOf(int look, int looks) const {
+    const int frames = framesAhead();
+    const double share = zooms() ? std::exp2(look - looks) : static_cast<double>(look) / looks;
+    return std::max(look, static_cast<int>(std::lround(frames * share)));
+  }
+  /// Whether what is there after so many frames has not been there for a moment only.
+  [[nodiscard]] bool outlastsMoment(int frames) const { return zooms() && frames * zooming() > kBriefZoom; }
   [[nodiscard]] const Camera& camera() const { return camera_; }
 
  private:
@@ -67,33 +75,33 @@ void Foresight::begin(const std::optional<View>& before, const View& now, const 
   if (!before) lookCount_ = 0;
   if (!before || before->viewProjection() == now.viewProjection()) return;
   Movement movement(*before, now);
-  const int frames = movement.framesAhead();
-  const int looks = !movement.zooms() && !movement.turns() ? 0 : std::min(movement.zooms() ? kLooksAheadZooming : kLooksAheadTurning, frames);
+  const int looks = !movement.zooms() && !movement.turns() ? 0 : std::min(movement.zooms() ? kLooksAheadZooming : kLooksAheadTurning, movement.framesAhead());
   lookCount_ = static_cast<std::size_t>(looks);
+  briefCount_ = 0;
   lossPrice_ = kScoreSoonGone * (movement.zooms() ? kSoonGoneZooming : 1.0);
   if (looks_.size() < lookCount_) looks_.resize(lookCount_);
   int frame = 0;
   for (int i = 1; i <= looks; ++i) {
-    for (const int until = (2 * frames * i + looks) / (2 * looks); frame < until; ++frame) movement.goOn();
+    for (const int until = movement.frameOf(i, looks); frame < until; ++frame) movement.goOn();
     Look& look = looks_[static_cast<std::size_t>(i - 1)];
     look.view = View(movement.camera(), now.widthPx(), now.heightPx(), bounds);
     facePlanes(objectPlanes, look.view, look.objectUses);
+    if (!movement.outlastsMoment(frame)) briefCount_ = static_cast<std::size_t>(i);
   }
 }
 
-/// 1 for what is lost at the first look, in equal steps less for later ones, 0 for what is not.
+/// The first look ahead at which something is lost; as many as there are when at none.
 template <typename Lost>
-double Foresight::lostShare(Lost lost) const {
-  for (std::size_t i = 0; i < lookCount_; ++i) {
-    if (lost(looks_[i])) return static_cast<double>(lookCount_ - i) / static_cast<double>(lookCount_);
-  }
-  return 0;
+std::size_t Foresight::firstLook(Lost lost) const {
+  std::size_t look = 0;
+  while (look < lookCount_ && !lost(looks_[look])) ++look;
+  return look;
 }
 
-double Foresight::price(const Place& place) {
-  const double lost = lostShare([&](const Look& look) { return !lastsUntil(look, place); });
-  const double turned = lostShare([&](const Look& look) { return turnedAway(place.base, look.view, kTurnedAwaySin); });
-  return lossPrice_ * std::max(lost, kTurnedAwayShare * turned);
+Foresight::Prospect Foresight::prospect(const Place& place) {
+  const std::size_t lost = firstLook([&](const Look& look) { return !lastsUntil(look, place); });
+  const std::size_t turned = firstLook([&](const Look& look) { return turnedAway(place.base, look.view, kTurnedAwaySin); });
+  return {lossPrice_ * std::max(shareLeft(lost), kTurnedAwayShare * shareLeft(turned)), std::min(lost, turned) < briefCount_};
 }
 
 /// Whether the plane has room for the line then, within the viewport.
@@ -107,9 +115,9 @@ bool Foresight::lastsUntil(const Look& look, const Place& place) {
 }
 
 double Foresight::priceInside(const Segment& base) const {
-  return lossPrice_ * lostShare([&](const Look& look) {
+  return lossPrice_ * shareLeft(firstLook([&](const Look& look) {
            return !look.view.inFrontOfNear(base.start) || !look.view.inFrontOfNear(base.end) || !meets(look.view.toScreen(base), look.view.viewport());
-         });
+         }));
 }
 
 }  // namespace dimline

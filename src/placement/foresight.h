@@ -26,10 +26,15 @@ class Foresight {
   /// A frame begins. `before`: the view of the last frame, if there is one that this one follows from; when it is the same one, before a still camera, the movement is
   /// thought to go on as it did. `bounds`: of the model, in metres.
   void begin(const std::optional<View>& before, const View& now, const Bounds& bounds, std::span<const ObjectPlane> objectPlanes, double toleranceM);
-  /// What a place outside the model costs for what the movement will do to it (px, to be added to its score): 0 when nothing, and always while the view does not move; kScoreSoonGone when the place
-  /// is lost at the first look ahead, in equal steps less when later. A feature that turns away from the viewer costs kTurnedAwayShare of that. More of all when the camera comes nearer or goes away.
-  [[nodiscard]] double price(const Place& place);
-  /// The same for a base line inside the model, for when nothing of it is left in the viewport.
+  /// What the movement will do to a place.
+  struct Prospect {
+    double price = 0;     ///< px, to be added to the place's score
+    bool brief = false;   ///< it is lost before the view has turned by kForesightRad or zoomed by kBriefZoom
+  };
+  /// Of a place outside the model. Its price is 0 when nothing happens to it, and always while the view does not move; kScoreSoonGone when it is lost at the first look ahead, in equal steps less when
+  /// later. A feature that turns away from the viewer costs kTurnedAwayShare of that. More of all when the camera comes nearer or goes away.
+  [[nodiscard]] Prospect prospect(const Place& place);
+  /// The price of a base line inside the model, for when nothing of it is left in the viewport.
   [[nodiscard]] double priceInside(const Segment& base) const;
 
  private:
@@ -40,10 +45,13 @@ class Foresight {
   };
   [[nodiscard]] bool lastsUntil(const Look& look, const Place& place);
   template <typename Lost>
-  [[nodiscard]] double lostShare(Lost lost) const;
+  [[nodiscard]] std::size_t firstLook(Lost lost) const;
+  /// 1 for what is lost at the first look, in equal steps less for later ones, 0 for what is not.
+  [[nodiscard]] double shareLeft(std::size_t look) const { return lookCount_ > 0 ? static_cast<double>(lookCount_ - look) / static_cast<double>(lookCount_) : 0.0; }
 
   std::vector<Look> looks_;         ///< the nearest first; memory for more than there are
   std::size_t lookCount_ = 0;       ///< none when the view does not move
+  std::size_t briefCount_ = 0;      ///< how many of them come before what lasts is not brief
   double lossPrice_ = 0;            ///< px, of what is lost at the first look
   std::span<const ObjectPlane> objectPlanes_;
   double toleranceM_ = 0;

@@ -2,6 +2,11 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "placement/occupied.h"
 #include "support/scenes.h"
 
 using namespace dimline;
@@ -17,6 +22,51 @@ Candidate leadingAway(const View& view) {
   candidate.mostM = 1000;
   REQUIRE(pushTo(candidate, 1, view));
   return candidate;
+}
+
+/// How far from the viewer the line lies on the plane that leads away from a base line 10 m off, when the model covers the picture from a row downwards; nothing when it has no place there.
+std::optional<double> depthAbove(int coveredFromPx, const Camera& camera) {
+  const View view(camera, 1000, 1000, Bounds{{-1, 0, -100}, {1, 0, 1}});
+  DistanceFields model;
+  model.reset(1000, 1000);
+  std::ranges::fill(model[ViewportEdge::kTop].edit(), static_cast<float>(coveredFromPx));
+  std::ranges::fill(model[ViewportEdge::kBottom].edit(), 0.0F);
+  for (const ViewportEdge edge : {ViewportEdge::kLeft, ViewportEdge::kRight}) std::ranges::fill(model[edge].edit().subspan(static_cast<std::size_t>(coveredFromPx)), 0.0F);
+  model.buildTrees();
+  Occupied occupied;
+  occupied.begin(model);
+  occupied.clear();
+  UsableBaseLine base;
+  base.line.segment = {{-1, 0, 0}, {1, 0, 0}};
+  base.line.scopePlanes.push_back({.across = {0, 0, -1}, .normal = {0, 1, 0}});
+  base.screen = view.toScreen(base.line.segment);
+  Annotation annotation;
+  annotation.slip = Slip::kScope;
+  const History history(0);
+  std::vector<SlipPlane> planes;
+  Foresight foresight;
+  std::vector<Candidate> candidates;
+  gatherOutsideCandidates({.annotation = annotation,
+                           .view = view,
+                           .padded = occupied.padded(),
+                           .paddedModel = occupied.paddedModel(),
+                           .guides = occupied.guides(),
+                           .objectPlanes = {},
+                           .history = history,
+                           .planes = planes,
+                           .foresight = foresight},
+                          base, candidates);
+  REQUIRE(candidates.size() <= 1);
+  return candidates.empty() ? std::nullopt : std::optional(view.depth(candidates.front().line.middle()));
+}
+
+/// 5 m above the ground, level: the base line of depthAbove() lies 250 px below the middle, and what is twice as far away 125 px.
+Camera overTheGround() {
+  Camera camera;
+  camera.eye = {0, 5, 10};
+  camera.target = {0, 5, 0};
+  camera.fovRad = 90 * kRadPerDeg;
+  return camera;
 }
 
 }  // namespace
@@ -49,4 +99,19 @@ TEST_CASE("a line on a guide is not pushed off it") {
   candidate.guide = 0;
   CHECK_FALSE(pushTo(candidate, 2, view));
   CHECK(candidate.offsetM == 1);
+}
+
+TEST_CASE("a line lies no further behind its base line than perspective still shows its length") {
+  // 30 px above row 640 the ground is 500 * 5 / 110 = 22.7 m off, above row 620 it is 27.8.
+  REQUIRE(depthAbove(640, overTheGround()).has_value());
+  CHECK(*depthAbove(640, overTheGround()) == Approx(22.7).epsilon(0.01));
+  CHECK(*depthAbove(640, overTheGround()) <= 10 * kMostDepthRatio);
+  CHECK_FALSE(depthAbove(620, overTheGround()).has_value());
+  // Without perspective what is further away is as large. From 30 degrees above, the ground rises by half a metre of picture a metre; 40 m are seen.
+  Camera orthographic = overTheGround();
+  orthographic.eye = Vec3(0, 5, 5 * std::sqrt(3.0));
+  orthographic.target = {0, 0, 0};
+  orthographic.orthoHeightM = 40;
+  REQUIRE(depthAbove(200, orthographic).has_value());
+  CHECK(*depthAbove(200, orthographic) > 10 * kMostDepthRatio);
 }

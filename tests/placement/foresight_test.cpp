@@ -66,7 +66,7 @@ bool lasts(Slip slip, const std::vector<ObjectPlane>& objectPlanes, const Vec3& 
   for (const SlipPlane& plane : planes) {
     if (glm::dot(plane.plane.normal, normal) < 0.99) continue;
     const Segment& atItself = edge().segment;   // in view all the time
-    return foresight.price({edge(), slip, plane, glm::dot(plane.across, towards) > 0 ? 1 : -1, 1.0, atItself}) == 0;
+    return foresight.prospect({edge(), slip, plane, glm::dot(plane.across, towards) > 0 ? 1 : -1, 1.0, atItself}).price == 0;
   }
   FAIL("no such plane in this frame");
   return false;
@@ -79,14 +79,17 @@ BaseLine inTheMiddle() {
   return line;
 }
 
-/// What a line in the plane that faces the viewer costs outside the model, for the movement from one view to the next.
-double priceOutside(const View& before, const View& now, const Segment& line, const BaseLine& feature = inTheMiddle()) {
+/// What the movement from one view to the next does to a line outside the model, in the plane that faces the viewer.
+Foresight::Prospect prospectOutside(const View& before, const View& now, const Segment& line, const BaseLine& feature = inTheMiddle()) {
   Foresight foresight;
   foresight.begin(before, now, boxBounds(), {}, 1e-3);
   std::vector<SlipPlane> planes;
   slipPlanes(feature, Slip::kBillboard, now, {}, planes);
   REQUIRE(planes.size() == 1);
-  return foresight.price({feature, Slip::kBillboard, planes[0], 1, 0.0, line});
+  return foresight.prospect({feature, Slip::kBillboard, planes[0], 1, 0.0, line});
+}
+double priceOutside(const View& before, const View& now, const Segment& line, const BaseLine& feature = inTheMiddle()) {
+  return prospectOutside(before, now, line, feature).price;
 }
 
 const Vec3 kFront{0, 0, 1};
@@ -110,7 +113,7 @@ TEST_CASE("while the view does not turn, everything lasts") {
   foresight.begin(std::nullopt, turnedBy(80), boxBounds(), {}, 1e-3);
   SlipPlane none;
   none.number = 7;   // not one of the edge's
-  CHECK(foresight.price({edge(), Slip::kScope, none, 1, 1.0, edge().segment}) == 0);
+  CHECK(foresight.prospect({edge(), Slip::kScope, none, 1, 1.0, edge().segment}).price == 0);
 }
 
 TEST_CASE("the part of an object plane that a neighbour is about to cut off does not last") {
@@ -128,25 +131,27 @@ TEST_CASE("the part of an object plane that a neighbour is about to cut off does
 }
 
 TEST_CASE("what the camera comes nearer to leaves the viewport") {
-  // A height of 9 m after 10 m is one of 7.29 m two frames on, when the picture has grown by about exp(kForesightZoom); half of that lies to the right of the middle.
-  CHECK(priceOutside(seeing(10), seeing(9), rightBy(3.5)) == 0);
-  CHECK(priceOutside(seeing(10), seeing(9), rightBy(3.63)) < 0);   // within the margin of 6 px
+  // A height of 9 m after 10 m is one of 1.853 m fifteen frames on, when the picture has grown by about exp(kForesightZoom); half of that lies to the right of the middle.
+  CHECK(priceOutside(seeing(10), seeing(9), rightBy(0.91)) == 0);
+  CHECK(priceOutside(seeing(10), seeing(9), rightBy(0.92)) < 0);   // within the margin of 6 px
   CHECK(priceOutside(seeing(10), seeing(9), {{-20, 1, 0}, {20, 1, 0}}) < 0);
   // Going back, there is ever more room.
   CHECK(priceOutside(seeing(9), seeing(10), rightBy(4.9)) == 0);
 
   Foresight foresight;
   foresight.begin(seeing(10), seeing(9), boxBounds(), {}, 1e-3);
-  CHECK(foresight.priceInside(rightBy(3.63)) == 0);
-  CHECK(foresight.priceInside(rightBy(3.7)) < 0);
+  CHECK(foresight.priceInside(rightBy(0.92)) == 0);
+  CHECK(foresight.priceInside(rightBy(0.94)) < 0);
   CHECK(foresight.priceInside({{-20, 1, 0}, {20, 1, 0}}) == 0);
 }
 
 TEST_CASE("what is lost sooner costs more") {
-  // Both frames are looked at: one on, 8.1 m are seen, 4.05 m of them to the right; two on, 3.645 m.
+  // Looked at are the next four frames, the eighth and the fifteenth: to the right of the middle 4.05 m are seen in the first, then 3.645, 3.28, 2.95, 1.94 and 0.93 m.
   const double worst = kScoreSoonGone * kSoonGoneZooming;
   CHECK(priceOutside(seeing(10), seeing(9), rightBy(4.2)) == worst);
-  CHECK(priceOutside(seeing(10), seeing(9), rightBy(3.8)) == 0.5 * worst);
+  CHECK(priceOutside(seeing(10), seeing(9), rightBy(3.8)) == Approx(5.0 / 6 * worst));
+  CHECK(priceOutside(seeing(10), seeing(9), rightBy(3.1)) == Approx(3.0 / 6 * worst));
+  CHECK(priceOutside(seeing(10), seeing(9), rightBy(1.5)) == Approx(1.0 / 6 * worst));
   // A slow movement is looked at kLooksAheadZooming times on its way.
   Foresight foresight;
   foresight.begin(seeing(9.01), seeing(9), boxBounds(), {}, 1e-3);
@@ -160,6 +165,17 @@ TEST_CASE("what is lost sooner costs more") {
   }
   CHECK(last == 0);
   CHECK(steps == kLooksAheadZooming);
+}
+
+TEST_CASE("what is lost within a turn of kForesightRad, or a zoom of kBriefZoom, is brief") {
+  // Four frames on the picture has grown by exp(0.42), eight frames on by exp(0.84).
+  CHECK(prospectOutside(seeing(10), seeing(9), rightBy(3.1)).brief);
+  CHECK_FALSE(prospectOutside(seeing(10), seeing(9), rightBy(2.5)).brief);
+  CHECK_FALSE(prospectOutside(seeing(10), seeing(9), rightBy(0.5)).brief);
+  CHECK_FALSE(prospectOutside(seeing(9), seeing(9), rightBy(4.2)).brief);
+  // Twenty degrees round, what lies so far behind the middle is 5 m, or 4.9 m, to the side.
+  CHECK(prospectOutside(turnedBy(0), turnedBy(1), {{0, 1, -14.6}, {0, 2, -14.6}}).brief);
+  CHECK_FALSE(prospectOutside(turnedBy(0), turnedBy(1), {{0, 1, -14.3}, {0, 2, -14.3}}).brief);
 }
 
 TEST_CASE("a feature whose faces turn away costs a share, and one that no faces meet in none") {
@@ -178,14 +194,14 @@ TEST_CASE("a feature whose faces turn away costs a share, and one that no faces 
 }
 
 TEST_CASE("a camera that flies towards its target is followed, not through it") {
-  // From 30 m at 27 m: at 21.87 m two frames on, where half the viewport is 2.19 m wide.
-  CHECK(priceOutside(from(30), from(27), rightBy(2.1)) == 0);
-  CHECK(priceOutside(from(30), from(27), rightBy(2.25)) < 0);
-  // By more than that in one frame: the next one is at 2.5 m.
+  // From 30 m at 27 m: at 5.56 m fifteen frames on, where half the viewport is 0.558 m wide.
+  CHECK(priceOutside(from(30), from(27), rightBy(0.54)) == 0);
+  CHECK(priceOutside(from(30), from(27), rightBy(0.56)) < 0);
+  // By nearly as much as that in one frame: two frames on it is at 1.25 m.
   Foresight foresight;
   foresight.begin(from(10), from(5), boxBounds(), {}, 1e-3);
-  CHECK(foresight.priceInside(rightBy(0.2)) == 0);
-  CHECK(foresight.priceInside(rightBy(0.3)) < 0);
+  CHECK(foresight.priceInside(rightBy(0.12)) == 0);
+  CHECK(foresight.priceInside(rightBy(0.13)) < 0);
 }
 
 TEST_CASE("before a still camera the movement is thought to go on as it did; after a scene's edit it is not") {
