@@ -144,8 +144,8 @@ inline constexpr double kScoreSoonGone = -9.9 * kHandleSpacingPx;
 inline constexpr int kLooksAheadTurning = 2;
 inline constexpr int kLooksAheadZooming = 6;
 inline constexpr double kSoonGoneZooming = 3.5;
-/// A line inside the model does not come out to a place that is lost before the view has turned by kForesightRad or zoomed by this. Less: it comes out for a moment. More: it stays inside
-/// though there is room.
+/// A line inside the model does not come out to a place that is lost before the view has turned by kForesightRad or zoomed by this, and while the camera comes nearer one base line of a row
+/// comes before such a chain. Less: lines come out, and chains are begun, for a moment. More: lines stay inside though there is room, and rows have no chains.
 inline constexpr double kBriefZoom = 0.7;
 /// What it costs, as a share of a lost place, that the faces which meet in a base line turn away from the viewer, each by this (sine of the angle): what stands on them is hidden soon, but not in
 /// a model that can be seen through. More: lines go far, or across extension lines, to stay with what is in view.

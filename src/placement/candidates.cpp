@@ -110,7 +110,7 @@ void keep(const CandidateContext& context, const UsableBaseLine& base, Candidate
     const Foresight::Prospect prospect =
         context.foresight.prospect({base.line, context.annotation.slip, candidate.plane, identity.direction, candidate.offsetM, candidate.line});
     // A line inside the model does not come out for a moment.
-    if (prospect.brief && context.history.wasInside()) return;
+    if (prospect.brief && (context.history.wasInside() || (context.lasting && context.foresight.zooms()))) return;
     candidate.score += prospect.price;
   }
   candidates.push_back(candidate);

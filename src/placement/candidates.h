@@ -71,6 +71,7 @@ struct CandidateContext {
   double leastPx = 0;                  ///< length on screen of the shortest line that is shown
   const Identity* only = nullptr;      ///< the one candidate that is looked for; null: all are
   const Identity* avoid = nullptr;     ///< a candidate that is left out
+  bool lasting = false;                ///< while the camera comes nearer or goes away, new places that it takes away soon are left out
 };
 
 /// The least length on screen at which a line of this annotation is shown.

@@ -72,8 +72,12 @@ bool Chooser::choose(const Measured& measured, const ChoiceContext& context, con
     return chooseOutside(bases_, measured, candidates, context);
   };
   if (singleStays && chooseSingle()) return true;
-  if (chained && chooseOutside(chainBases_, measured, candidates, context)) return true;
+  // From near by the chains of a row leave the picture one soon after the other, so one of its base lines comes before a chain that would be gone at once.
+  CandidateContext lasting = candidates;
+  lasting.lasting = true;
+  if (chained && chooseOutside(chainBases_, measured, lasting, context)) return true;
   if (!singleStays && chooseSingle()) return true;
+  if (chained && context.foresight.zooms() && chooseOutside(chainBases_, measured, candidates, context)) return true;
   return chooseInside(candidates, context);
 }
 

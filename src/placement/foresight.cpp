@@ -78,6 +78,8 @@ void Foresight::begin(const std::optional<View>& before, const View& now, const 
   const int looks = !movement.zooms() && !movement.turns() ? 0 : std::min(movement.zooms() ? kLooksAheadZooming : kLooksAheadTurning, movement.framesAhead());
   lookCount_ = static_cast<std::size_t>(looks);
   briefCount_ = 0;
+  zooms_ = movement.zooms();
+  now_ = now;
   lossPrice_ = kScoreSoonGone * (movement.zooms() ? kSoonGoneZooming : 1.0);
   if (looks_.size() < lookCount_) looks_.resize(lookCount_);
   int frame = 0;
@@ -104,13 +106,16 @@ Foresight::Prospect Foresight::prospect(const Place& place) {
   return {lossPrice_ * std::max(shareLeft(lost), kTurnedAwayShare * shareLeft(turned)), std::min(lost, turned) < briefCount_};
 }
 
-/// Whether the plane has room for the line then, within the viewport.
+/// Whether the plane has room for the line then, within the viewport. handleSpacing is less in the world when the camera has come nearer, so the line will lie nearer to the model by that.
 bool Foresight::lastsUntil(const Look& look, const Place& place) {
-  if (!onScreen(place.line, look.view)) return false;
+  const Vec3 middle = place.line.middle();
+  const double nearerM = std::clamp((now_.metresPerPixelAt(middle) - look.view.metresPerPixelAt(middle)) * kHandleSpacingPx, 0.0, place.offsetM);
+  const Vec3 move = place.plane.across * (-place.direction * nearerM);
+  if (!onScreen({place.line.start + move, place.line.end + move}, look.view)) return false;
   slipPlanes(place.base, place.slip, look.view, {objectPlanes_, look.objectUses, toleranceM_}, planes_);
   const auto then = std::ranges::find(planes_, place.plane.number, &SlipPlane::number);
   if (then == planes_.end()) return false;
-  const double offsetM = place.direction * place.offsetM;
+  const double offsetM = place.direction * (place.offsetM - nearerM);
   return then->lowM <= offsetM && offsetM <= then->highM;
 }
 

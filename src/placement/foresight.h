@@ -31,6 +31,8 @@ class Foresight {
     double price = 0;     ///< px, to be added to the place's score
     bool brief = false;   ///< it is lost before the view has turned by kForesightRad or zoomed by kBriefZoom
   };
+  /// Whether the camera comes nearer or goes away.
+  [[nodiscard]] bool zooms() const { return lookCount_ > 0 && zooms_; }
   /// Of a place outside the model. Its price is 0 when nothing happens to it, and always while the view does not move; kScoreSoonGone when it is lost at the first look ahead, in equal steps less when
   /// later. A feature that turns away from the viewer costs kTurnedAwayShare of that. More of all when the camera comes nearer or goes away.
   [[nodiscard]] Prospect prospect(const Place& place);
@@ -53,6 +55,8 @@ class Foresight {
   std::size_t lookCount_ = 0;       ///< none when the view does not move
   std::size_t briefCount_ = 0;      ///< how many of them come before what lasts is not brief
   double lossPrice_ = 0;            ///< px, of what is lost at the first look
+  bool zooms_ = false;              ///< the movement comes nearer or goes away
+  View now_;                        ///< what the looks follow
   std::span<const ObjectPlane> objectPlanes_;
   double toleranceM_ = 0;
   std::vector<SlipPlane> planes_;   ///< memory for one base line's

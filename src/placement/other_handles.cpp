@@ -17,7 +17,7 @@ constexpr std::size_t kArcSamples = 16;
 /// crowded where a person would see a place. More: it stands too far from what it belongs to.
 constexpr double kPillStepPx = 8.0;
 constexpr int kPillSteps = 25;
-constexpr int kPillRings = 5;
+constexpr int kPillRings = 9;
 
 /// The eight directions on screen in which a pill may move, by number: 0 is right, then clockwise on screen in steps of 45 degrees.
 Vec2 compass(int number) {

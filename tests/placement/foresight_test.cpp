@@ -178,6 +178,25 @@ TEST_CASE("what is lost within a turn of kForesightRad, or a zoom of kBriefZoom,
   CHECK_FALSE(prospectOutside(turnedBy(0), turnedBy(1), {{0, 1, -14.3}, {0, 2, -14.3}}).brief);
 }
 
+TEST_CASE("a line comes nearer to the model by what handleSpacing is less when the camera has come nearer") {
+  BaseLine upright;
+  upright.segment = {{0, 1, 0}, {0, 2, 0}};
+  const View now = seeing(9);
+  Foresight foresight;
+  foresight.begin(seeing(10), now, boxBounds(), {}, 1e-3);
+  std::vector<SlipPlane> planes;
+  slipPlanes(upright, Slip::kBillboard, now, {}, planes);
+  REQUIRE(planes.size() == 1);
+  const int right = planes[0].across.x > 0 ? 1 : -1;
+  const auto priceAt = [&](double x, double offsetM) { return foresight.prospect({upright, Slip::kBillboard, planes[0], right, offsetM, rightBy(x)}).price; };
+  // A pixel is 9 mm now and 1.853 mm at the last look: 30 of them are 0.2144 m less. What is seen then ends 0.915 m to the right of the middle.
+  CHECK(priceAt(1.12, 1) == 0);
+  CHECK(priceAt(1.14, 1) < 0);
+  // Not nearer than its base line.
+  CHECK(priceAt(1.00, 0.1) == 0);
+  CHECK(priceAt(1.03, 0.1) < 0);
+}
+
 TEST_CASE("a feature whose faces turn away costs a share, and one that no faces meet in none") {
   BaseLine frontEdge = edge();
   frontEdge.faces.push_back({0, 0, 1});

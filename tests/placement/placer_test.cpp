@@ -76,6 +76,29 @@ ModelDefinition wallWithPlateAndBays(const WallPlan& plan) {
   return definition;
 }
 
+/// A tower with rows of bays on its front and on its left side, so that a bay's width has a chain for each row.
+ModelDefinition towerWithBays() {
+  ModelDefinition definition = boxWithDoor();
+  definition.parameters.resize(1);
+  definition.parameters[0].annotation = "@Handle(scope=Bay, type=linear-contour, orient=right, slip=scope, chained)";
+  definition.build = [](const Values&) {
+    Scene scene = sceneOf({{"Wall", boxAt({-12, -8, -8}, {24, 16, 16})}});
+    std::uint32_t bays = 0;
+    for (int row = 0; row < 4; ++row) {
+      for (int column = 0; column < 6; ++column) {
+        const double y = -7.0 + 4 * row;
+        for (const Obb& bay : {boxAt({-11.0 + 4 * column, y, 8}, {2, 2, 0.1}), boxAt({-12.1, y, -7.5 + 2.6 * column}, {0.1, 2, 1.5})}) {
+          addBox(scene, bay);
+          scene.scopes.push_back({"Bay", bays++, bay});
+        }
+      }
+    }
+    finish(scene);
+    return scene;
+  };
+  return definition;
+}
+
 }  // namespace
 
 TEST_CASE("on orbits, every line keeps handleSpacing from the model, and labels do not touch it") {
@@ -226,6 +249,35 @@ TEST_CASE("a chain keeps clear of a line that the extension lines of its inner m
   REQUIRE(std::ranges::count(layout.lines, bay->chain, &PlacedLine::chain) == 3);
   CHECK(plate->lineScreen.start.y > 650);   // the wall covers y from 350 to 650
   CHECK(bay->lineScreen.start.y < 350);
+}
+
+TEST_CASE("while the camera comes nearer, no chain is begun for a moment where one of its base lines would do") {
+  Stage stage(towerWithBays());
+  int begun = 0;
+  for (double azimuth = -90; azimuth < 90; azimuth += 7) {
+    stage.placer.forget();
+    Identity last;
+    int chainHeld = kPatienceFrames;
+    double distanceM = 60;
+    for (int i = 0; i < 110; ++i, distanceM *= 0.983) {
+      stage.look(orbitCamera({5, 3, 0}, distanceM, azimuth + 0.25 * i, 25));
+      Identity now;
+      for (const PlacedLine& line : stage.layout.lines) now = line.identity;
+      if (now.chain >= 0) now.scopeIndex = -1;
+      if (now != last && last.chain >= 0) {
+        INFO("azimuth " << azimuth << ", frame " << i);
+        CHECK(chainHeld >= 5);
+      }
+      if (now == last) {
+        ++chainHeld;
+      } else if (i > 0) {
+        begun += now.chain >= 0 ? 1 : 0;
+        chainHeld = 0;
+      }
+      last = now;
+    }
+  }
+  CHECK(begun > 5);
 }
 
 TEST_CASE("a line that another had to run into gives way in the next frames") {
