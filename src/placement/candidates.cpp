@@ -226,15 +226,19 @@ void gatherOutsideCandidates(const CandidateContext& context, const UsableBaseLi
   });
 }
 
+Identity insideIdentity(const UsableBaseLine& base, const CandidateContext& context) {
+  return {.parameter = context.history.last().parameter,
+          .scopeIndex = base.scopeIndex,
+          .chain = -1,
+          .baseLine = static_cast<std::int16_t>(base.line.number),
+          .plane = -1,
+          .direction = 0};
+}
+
 void gatherInsideCandidate(const CandidateContext& context, const UsableBaseLine& base, const Obb& scope,
                            std::vector<Candidate>& candidates) {
   Candidate candidate;
-  candidate.identity = {.parameter = context.history.last().parameter,
-                        .scopeIndex = base.scopeIndex,
-                        .chain = -1,
-                        .baseLine = static_cast<std::int16_t>(base.line.number),
-                        .plane = -1,
-                        .direction = 0};
+  candidate.identity = insideIdentity(base, context);
   candidate.scope = base.scope;
   candidate.base = candidate.foot = candidate.line = base.line.segment;
   candidate.baseScreen = candidate.footScreen = candidate.lineScreen = base.screen;

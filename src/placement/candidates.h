@@ -94,6 +94,8 @@ void gatherGuideCandidates(const CandidateContext& context, const UsableBaseLine
 /// within the viewport's margin.
 void gatherOutsideCandidates(const CandidateContext& context, const UsableBaseLine& base, std::vector<Candidate>& candidates);
 
+/// What a base line is as a line inside the model.
+Identity insideIdentity(const UsableBaseLine& base, const CandidateContext& context);
 /// Adds the base line itself (algorithm 1, line 9).
 void gatherInsideCandidate(const CandidateContext& context, const UsableBaseLine& base, const Obb& scope, std::vector<Candidate>& candidates);
 

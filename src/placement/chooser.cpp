@@ -250,7 +250,11 @@ bool Chooser::chooseInside(const CandidateContext& candidates, const ChoiceConte
   const auto isFree = [&](const Segment2& line) { return !landed.runsInto(line) && !landed.coversLabel(line); };
   candidates_.clear();
   for (const UsableBaseLine& base : bases_) {
-    if (isWhole(base.screen, context.view) || context.showAll || isFree(base.screen)) gatherInsideCandidate(candidates, base, context.scopes[base.scope].box, candidates_);
+    const bool whole = isWhole(base.screen, context.view);
+    // The one that is shown stays to the last.
+    const bool another = insideIdentity(base, candidates) != candidates.history.last();
+    if (another && !context.showAll && context.foresight.leavesSoon(base.line.segment, whole)) continue;
+    if (whole || context.showAll || isFree(base.screen)) gatherInsideCandidate(candidates, base, context.scopes[base.scope].box, candidates_);
   }
   if (candidates_.empty()) {
     tally_.outOfView += static_cast<int>(bases_.size());

@@ -119,10 +119,15 @@ bool Foresight::lastsUntil(const Look& look, const Place& place) {
   return then->lowM <= offsetM && offsetM <= then->highM;
 }
 
-double Foresight::priceInside(const Segment& base) const {
-  return lossPrice_ * shareLeft(firstLook([&](const Look& look) {
-           return !look.view.inFrontOfNear(base.start) || !look.view.inFrontOfNear(base.end) || !meets(look.view.toScreen(base), look.view.viewport());
-         }));
+double Foresight::priceInside(const Segment& base) const { return lossPrice_ * shareLeft(looksInside(base)); }
+
+bool Foresight::leavesSoon(const Segment& base, bool whole) const { return zooms() && looksInside(base) < (whole ? kLooksAtLastMoments : kLooksAtLastMomentsCut); }
+
+/// At how many looks something of it is in the viewport before it is not.
+std::size_t Foresight::looksInside(const Segment& base) const {
+  return firstLook([&](const Look& look) {
+    return !look.view.inFrontOfNear(base.start) || !look.view.inFrontOfNear(base.end) || !meets(look.view.toScreen(base), look.view.viewport());
+  });
 }
 
 }  // namespace dimline

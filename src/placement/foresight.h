@@ -38,6 +38,9 @@ class Foresight {
   [[nodiscard]] Prospect prospect(const Place& place);
   /// The price of a base line inside the model, for when nothing of it is left in the viewport.
   [[nodiscard]] double priceInside(const Segment& base) const;
+  /// Whether, while the camera comes nearer or goes away, nothing of a base line inside the model is left in the viewport at one of the first kLooksAtLastMoments looks, or at one of the
+  /// first kLooksAtLastMomentsCut when it is not `whole`: an end is out of the picture now.
+  [[nodiscard]] bool leavesSoon(const Segment& base, bool whole) const;
 
  private:
   /// A view of the movement gone on with.
@@ -46,6 +49,7 @@ class Foresight {
     std::vector<ObjectPlaneUse> objectUses;
   };
   [[nodiscard]] bool lastsUntil(const Look& look, const Place& place);
+  [[nodiscard]] std::size_t looksInside(const Segment& base) const;
   template <typename Lost>
   [[nodiscard]] std::size_t firstLook(Lost lost) const;
   /// 1 for what is lost at the first look, in equal steps less for later ones, 0 for what is not.

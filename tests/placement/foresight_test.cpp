@@ -178,6 +178,22 @@ TEST_CASE("what is lost within a turn of kForesightRad, or a zoom of kBriefZoom,
   CHECK_FALSE(prospectOutside(turnedBy(0), turnedBy(1), {{0, 1, -14.3}, {0, 2, -14.3}}).brief);
 }
 
+TEST_CASE("what leaves the picture at the first looks leaves soon, and what is cut off already at later ones") {
+  Foresight foresight;
+  foresight.begin(seeing(10), seeing(9), boxBounds(), {}, 1e-3);
+  // To the right of the middle 4.05 m are seen at the first look, then 3.645, 3.28, 2.95, 1.94 and 0.93 m.
+  for (const bool whole : {true, false}) {
+    CHECK(foresight.leavesSoon(rightBy(3.65), whole));
+    CHECK(foresight.leavesSoon(rightBy(2.96), whole) == !whole);
+    CHECK_FALSE(foresight.leavesSoon(rightBy(2.94), whole));
+  }
+  CHECK(foresight.leavesSoon(rightBy(3.63), false));
+  CHECK_FALSE(foresight.leavesSoon(rightBy(3.63), true));
+  // Not while the camera turns.
+  foresight.begin(turnedBy(0), turnedBy(1), boxBounds(), {}, 1e-3);
+  CHECK_FALSE(foresight.leavesSoon(rightBy(5.1), true));
+}
+
 TEST_CASE("a line comes nearer to the model by what handleSpacing is less when the camera has come nearer") {
   BaseLine upright;
   upright.segment = {{0, 1, 0}, {0, 2, 0}};

@@ -126,6 +126,34 @@ TEST_CASE("while the camera comes nearer, no line comes out of the model for a f
   CHECK(inside > 100);
 }
 
+TEST_CASE("while the camera comes nearer, no line is shown inside the model for its feature's last moments") {
+  Stage stage(boxWithDoor());
+  int begun = 0;
+  for (double azimuth = 0; azimuth < 90; azimuth += 5) {
+    stage.placer.forget();
+    std::array<Identity, 5> last{};
+    std::array<int, 5> held{};
+    std::array<int, 5> lastHeld{};
+    double distanceM = 28;
+    for (int i = 0; i < 150; ++i, distanceM *= 0.983) {
+      stage.look(orbitCamera({0, 2.5, 0}, distanceM, azimuth + 0.25 * i, 20));
+      std::array<Identity, 5> now{};
+      for (const PlacedLine& line : stage.layout.lines) now[line.parameter] = line.identity;
+      for (std::size_t p = 0; p < now.size(); ++p) {
+        held[p] = now[p] == last[p] ? held[p] + 1 : 0;
+        if (now[p] == last[p]) continue;
+        INFO("azimuth " << azimuth << ", frame " << i << ", parameter " << p);
+        const bool wasInside = last[p] != Identity{} && last[p].plane < 0;
+        if (wasInside && now[p] == Identity{}) CHECK(lastHeld[p] >= 3);
+        begun += now[p] != Identity{} && now[p].plane < 0 ? 1 : 0;
+      }
+      lastHeld = held;
+      last = now;
+    }
+  }
+  CHECK(begun > 20);
+}
+
 TEST_CASE("no line outside the model runs across one that stays on its base line") {
   ModelDefinition definition = boxWithDoor();
   definition.parameters.resize(2);
