@@ -133,21 +133,22 @@ TEST_CASE("while the camera comes nearer, no line is shown inside the model for 
     stage.placer.forget();
     std::array<Identity, 5> last{};
     std::array<int, 5> held{};
-    std::array<int, 5> lastHeld{};
     double distanceM = 28;
     for (int i = 0; i < 150; ++i, distanceM *= 0.983) {
       stage.look(orbitCamera({0, 2.5, 0}, distanceM, azimuth + 0.25 * i, 20));
       std::array<Identity, 5> now{};
       for (const PlacedLine& line : stage.layout.lines) now[line.parameter] = line.identity;
       for (std::size_t p = 0; p < now.size(); ++p) {
-        held[p] = now[p] == last[p] ? held[p] + 1 : 0;
-        if (now[p] == last[p]) continue;
+        if (now[p] == last[p]) {
+          ++held[p];
+          continue;
+        }
         INFO("azimuth " << azimuth << ", frame " << i << ", parameter " << p);
         const bool wasInside = last[p] != Identity{} && last[p].plane < 0;
-        if (wasInside && now[p] == Identity{}) CHECK(lastHeld[p] >= 3);
+        if (wasInside && now[p] == Identity{}) CHECK(held[p] >= 3);
         begun += now[p] != Identity{} && now[p].plane < 0 ? 1 : 0;
+        held[p] = 0;
       }
-      lastHeld = held;
       last = now;
     }
   }
