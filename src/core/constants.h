@@ -147,9 +147,11 @@ inline constexpr double kSoonGoneZooming = 3.5;
 /// A line inside the model does not come out to a place that is lost before the view has turned by kForesightRad or zoomed by this, and while the camera comes nearer one base line of a row
 /// comes before such a chain. Less: lines come out, and chains are begun, for a moment. More: lines stay inside though there is room, and rows have no chains.
 inline constexpr double kBriefZoom = 0.7;
-/// Of kLooksAheadZooming looks: a base line of which nothing is left in the picture by then is not begun to be shown inside the model, be it all in the picture now or cut off. Fewer: while the
-/// camera comes nearer, lines are shown at the rim for their last moments. More: features in view have no line.
-inline constexpr std::size_t kLooksAtLastMoments = 2;
+/// Of kLooksAheadZooming looks: a place outside the model that is lost by then is not begun, nor is a base line inside it of which nothing is left in the picture by then, be it all in the picture now
+/// or cut off. Fewer: while the camera comes nearer, lines hop from one place to another for a frame or two each, or are shown at the rim for their last moments. More: lines are inside though there is
+/// room, and features in view have no line.
+inline constexpr std::size_t kLooksAtLastMoments = 1;
+inline constexpr std::size_t kLooksAtLastMomentsInside = 2;
 inline constexpr std::size_t kLooksAtLastMomentsCut = 4;
 /// What it costs, as a share of a lost place, that the faces which meet in a base line turn away from the viewer, each by this (sine of the angle): what stands on them is hidden soon, but not in
 /// a model that can be seen through. More: lines go far, or across extension lines, to stay with what is in view.

@@ -110,7 +110,7 @@ void keep(const CandidateContext& context, const UsableBaseLine& base, Candidate
     const Foresight::Prospect prospect =
         context.foresight.prospect({base.line, context.annotation.slip, candidate.plane, identity.direction, candidate.offsetM, candidate.line});
     // A line inside the model does not come out for a moment.
-    if (prospect.brief && (context.history.wasInside() || (context.lasting && context.foresight.zooms()))) return;
+    if (prospect.lastMoments || (prospect.brief && (context.history.wasInside() || (context.lasting && context.foresight.zooms())))) return;
     candidate.score += prospect.price;
   }
   candidates.push_back(candidate);
@@ -226,19 +226,14 @@ void gatherOutsideCandidates(const CandidateContext& context, const UsableBaseLi
   });
 }
 
-Identity insideIdentity(const UsableBaseLine& base, const CandidateContext& context) {
-  return {.parameter = context.history.last().parameter,
-          .scopeIndex = base.scopeIndex,
-          .chain = -1,
-          .baseLine = static_cast<std::int16_t>(base.line.number),
-          .plane = -1,
-          .direction = 0};
-}
-
 void gatherInsideCandidate(const CandidateContext& context, const UsableBaseLine& base, const Obb& scope,
                            std::vector<Candidate>& candidates) {
   Candidate candidate;
-  candidate.identity = insideIdentity(base, context);
+  candidate.identity = {.parameter = context.history.last().parameter, .scopeIndex = base.scopeIndex, .baseLine = static_cast<std::int16_t>(base.line.number)};
+  const bool stays = candidate.identity == context.history.last();
+  const Foresight::Prospect prospect = context.foresight.prospectInside(base.line.segment, isWhole(base.screen, context.view));
+  // The one that is shown stays to the last.
+  if (prospect.lastMoments && !stays && !context.showAll) return;
   candidate.scope = base.scope;
   candidate.base = candidate.foot = candidate.line = base.line.segment;
   candidate.baseScreen = candidate.footScreen = candidate.lineScreen = base.screen;
@@ -246,8 +241,8 @@ void gatherInsideCandidate(const CandidateContext& context, const UsableBaseLine
   // A scope whose middle is behind the viewer has no direction on screen; then length alone decides.
   const Vec2 middleScreen = context.view.inFrontOfNear(middle) ? context.view.toScreen(middle) : base.screen.middle();
   candidate.score = scoreInside(base.screen, middleScreen, context.annotation.align) + context.history.bonus(candidate.identity);
-  candidate.score += context.foresight.priceInside(candidate.base);
-  if (turnedAway(base.line, context.view, candidate.identity == context.history.last() ? kBehindScopeSin : 0.0)) candidate.score += kScoreBehindScope;
+  candidate.score += prospect.price;
+  if (turnedAway(base.line, context.view, stays ? kBehindScopeSin : 0.0)) candidate.score += kScoreBehindScope;
   candidates.push_back(candidate);
 }
 

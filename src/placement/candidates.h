@@ -72,6 +72,7 @@ struct CandidateContext {
   const Identity* only = nullptr;      ///< the one candidate that is looked for; null: all are
   const Identity* avoid = nullptr;     ///< a candidate that is left out
   bool lasting = false;                ///< while the camera comes nearer or goes away, new places that it takes away soon are left out
+  bool showAll = false;                ///< a line that is shown for its last moments is better than none
 };
 
 /// The least length on screen at which a line of this annotation is shown.
@@ -94,9 +95,7 @@ void gatherGuideCandidates(const CandidateContext& context, const UsableBaseLine
 /// within the viewport's margin.
 void gatherOutsideCandidates(const CandidateContext& context, const UsableBaseLine& base, std::vector<Candidate>& candidates);
 
-/// What a base line is as a line inside the model.
-Identity insideIdentity(const UsableBaseLine& base, const CandidateContext& context);
-/// Adds the base line itself (algorithm 1, line 9).
+/// Adds the base line itself (algorithm 1, line 9), unless it would be shown anew for the last moments of its feature in the picture.
 void gatherInsideCandidate(const CandidateContext& context, const UsableBaseLine& base, const Obb& scope, std::vector<Candidate>& candidates);
 
 /// So many pixels as metres, at the depth of where a candidate set out from.

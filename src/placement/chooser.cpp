@@ -58,7 +58,7 @@ bool Chooser::choose(const Measured& measured, const ChoiceContext& context, con
   if (!gatherBases(measured, context, factor, enough)) return false;
   const CandidateContext candidates{measured.annotation, context.view, context.occupied.padded(), context.occupied.paddedModel(), context.occupied.guides(),
                                     context.objectPlanes, context.viewMoved, history, context.toleranceM, slipPlanes_, context.foresight,
-                                    factor * leastLengthPx(measured.annotation), nullptr, context.avoid};
+                                    factor * leastLengthPx(measured.annotation), nullptr, context.avoid, false, context.showAll};
   if (context.firm && chooseAgain(measured, candidates, context)) return true;
   chainBases_.clear();
   for (std::size_t i = 0; i < measured.clusters.size(); ++i) {
@@ -250,11 +250,8 @@ bool Chooser::chooseInside(const CandidateContext& candidates, const ChoiceConte
   const auto isFree = [&](const Segment2& line) { return !landed.runsInto(line) && !landed.coversLabel(line); };
   candidates_.clear();
   for (const UsableBaseLine& base : bases_) {
-    const bool whole = isWhole(base.screen, context.view);
-    // The one that is shown stays to the last.
-    const bool another = insideIdentity(base, candidates) != candidates.history.last();
-    if (another && !context.showAll && context.foresight.leavesSoon(base.line.segment, whole)) continue;
-    if (whole || context.showAll || isFree(base.screen)) gatherInsideCandidate(candidates, base, context.scopes[base.scope].box, candidates_);
+    if (!isWhole(base.screen, context.view) && !context.showAll && !isFree(base.screen)) continue;
+    gatherInsideCandidate(candidates, base, context.scopes[base.scope].box, candidates_);
   }
   if (candidates_.empty()) {
     tally_.outOfView += static_cast<int>(bases_.size());

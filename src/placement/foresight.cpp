@@ -103,7 +103,9 @@ std::size_t Foresight::firstLook(Lost lost) const {
 Foresight::Prospect Foresight::prospect(const Place& place) {
   const std::size_t lost = firstLook([&](const Look& look) { return !lastsUntil(look, place); });
   const std::size_t turned = firstLook([&](const Look& look) { return turnedAway(place.base, look.view, kTurnedAwaySin); });
-  return {lossPrice_ * std::max(shareLeft(lost), kTurnedAwayShare * shareLeft(turned)), std::min(lost, turned) < briefCount_};
+  return {.price = lossPrice_ * std::max(shareLeft(lost), kTurnedAwayShare * shareLeft(turned)),
+          .brief = std::min(lost, turned) < briefCount_,
+          .lastMoments = zooms() && lost < kLooksAtLastMoments};
 }
 
 /// Whether the plane has room for the line then, within the viewport. handleSpacing is less in the world when the camera has come nearer, so the line will lie nearer to the model by that.
@@ -119,15 +121,13 @@ bool Foresight::lastsUntil(const Look& look, const Place& place) {
   return then->lowM <= offsetM && offsetM <= then->highM;
 }
 
-double Foresight::priceInside(const Segment& base) const { return lossPrice_ * shareLeft(looksInside(base)); }
-
-bool Foresight::leavesSoon(const Segment& base, bool whole) const { return zooms() && looksInside(base) < (whole ? kLooksAtLastMoments : kLooksAtLastMomentsCut); }
-
-/// At how many looks something of it is in the viewport before it is not.
-std::size_t Foresight::looksInside(const Segment& base) const {
-  return firstLook([&](const Look& look) {
+Foresight::Prospect Foresight::prospectInside(const Segment& base, bool whole) const {
+  const std::size_t lost = firstLook([&](const Look& look) {
     return !look.view.inFrontOfNear(base.start) || !look.view.inFrontOfNear(base.end) || !meets(look.view.toScreen(base), look.view.viewport());
   });
+  return {.price = lossPrice_ * shareLeft(lost),
+          .brief = lost < briefCount_,
+          .lastMoments = zooms() && lost < (whole ? kLooksAtLastMomentsInside : kLooksAtLastMomentsCut)};
 }
 
 }  // namespace dimline

@@ -28,19 +28,17 @@ class Foresight {
   void begin(const std::optional<View>& before, const View& now, const Bounds& bounds, std::span<const ObjectPlane> objectPlanes, double toleranceM);
   /// What the movement will do to a place.
   struct Prospect {
-    double price = 0;     ///< px, to be added to the place's score
-    bool brief = false;   ///< it is lost before the view has turned by kForesightRad or zoomed by kBriefZoom
+    double price = 0;          ///< px, to be added to the place's score
+    bool brief = false;        ///< it is lost before the view has turned by kForesightRad or zoomed by kBriefZoom
+    bool lastMoments = false;  ///< while the camera comes nearer or goes away: it is lost so soon that it is not worth being begun (kLooksAtLastMoments)
   };
   /// Whether the camera comes nearer or goes away.
   [[nodiscard]] bool zooms() const { return lookCount_ > 0 && zooms_; }
   /// Of a place outside the model. Its price is 0 when nothing happens to it, and always while the view does not move; kScoreSoonGone when it is lost at the first look ahead, in equal steps less when
   /// later. A feature that turns away from the viewer costs kTurnedAwayShare of that. More of all when the camera comes nearer or goes away.
   [[nodiscard]] Prospect prospect(const Place& place);
-  /// The price of a base line inside the model, for when nothing of it is left in the viewport.
-  [[nodiscard]] double priceInside(const Segment& base) const;
-  /// Whether, while the camera comes nearer or goes away, nothing of a base line inside the model is left in the viewport at one of the first kLooksAtLastMoments looks, or at one of the
-  /// first kLooksAtLastMomentsCut when it is not `whole`: an end is out of the picture now.
-  [[nodiscard]] bool leavesSoon(const Segment& base, bool whole) const;
+  /// Of a base line inside the model, which is lost when nothing of it is left in the viewport. `whole`: both ends are in the picture now.
+  [[nodiscard]] Prospect prospectInside(const Segment& base, bool whole) const;
 
  private:
   /// A view of the movement gone on with.
@@ -49,7 +47,6 @@ class Foresight {
     std::vector<ObjectPlaneUse> objectUses;
   };
   [[nodiscard]] bool lastsUntil(const Look& look, const Place& place);
-  [[nodiscard]] std::size_t looksInside(const Segment& base) const;
   template <typename Lost>
   [[nodiscard]] std::size_t firstLook(Lost lost) const;
   /// 1 for what is lost at the first look, in equal steps less for later ones, 0 for what is not.

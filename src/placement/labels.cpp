@@ -1,5 +1,6 @@
 #include "placement/labels.h"
 
+#include <array>
 #include <cmath>
 
 namespace dimline {
@@ -22,6 +23,10 @@ double halfExtent(const Vec2& halfSize, const Vec2& normal) {
 
 Box2 boxAround(const Vec2& center, const Vec2& size) { return {center - size * 0.5, center + size * 0.5}; }
 
+/// Shares of the way from a line's middle to either end at which a label is tried, in this order: in few large steps first, so that a label does not slide to and fro with what passes by, then between
+/// them. More of them: fewer lines have no room for their label.
+constexpr std::array kPlacesAlong = {0.0, -0.5, 0.5, -1.0, 1.0, -0.25, 0.25, -0.75, 0.75, -0.125, 0.125, -0.375, 0.375, -0.625, 0.625, -0.875, 0.875};
+
 /// Tries places in order and keeps the first that has room.
 class Search {
  public:
@@ -34,7 +39,7 @@ class Search {
       return false;
     }
     if (request_.model != nullptr && !clears(*request_.model, box.grown(kLabelClearancePx))) return false;
-    if (!landed_.hasRoom(box)) return false;
+    if (!landed_.hasRoom(box, request_.overExtensions)) return false;
     found_ = box;
     return true;
   }
@@ -64,7 +69,7 @@ std::optional<Box2> placeLabel(const LabelRequest& request, const Landed& landed
 
   const double room = 0.5 * (length - interruptedLengthPx(request.textSize, direction)) - kArrowLengthPx - kLabelPaddingPx;
   if (room >= 0) {
-    for (const double share : {0.0, -0.5, 0.5, -1.0, 1.0}) {
+    for (const double share : kPlacesAlong) {
       if (search.tryAt(visible->middle() + direction * (share * room))) return search.found();
     }
   }
@@ -77,8 +82,10 @@ std::optional<Box2> placeLabel(const LabelRequest& request, const Landed& landed
   Vec2 normal{-direction.y, direction.x};
   if (glm::dot(normal, request.outward) < 0) normal = -normal;
   const double beside = halfExtent(half, normal) + kArrowHalfWidthPx + kLabelPaddingPx;
-  if (search.tryAt(visible->middle() + normal * beside)) return search.found();
-  if (search.tryAt(visible->middle() - normal * beside)) return search.found();
+  for (const double share : kPlacesAlong) {
+    const Vec2 center = visible->middle() + direction * (share * 0.5 * length);
+    if (search.tryAt(center + normal * beside) || search.tryAt(center - normal * beside)) return search.found();
+  }
   return std::nullopt;
 }
 

@@ -17,10 +17,11 @@ struct LabelRequest {
   Vec2 textSize{0.0};             ///< px, without padding
   Vec2 outward{0.0};              ///< screen direction from the model to the line; zero when inside
   const DistanceFields* model = nullptr;   ///< the label clears these fields; null when the line lies inside the model
+  bool overExtensions = false;    ///< extension lines may run under it
   bool inChain = false;           ///< beyond its ends lie the chain's other members: only on the line and beside it
 };
 
-/// The first place with room, in the order of preference: the middle of the line, along it, beyond its end, beyond its start, beside it. Within the viewport's
+/// The first place with room, in the order of preference: the middle of the line, along it, beyond its end, beyond its start, beside its middle, beside it further along. Within the viewport's
 /// margin, clear of the model and of all that has landed. Nothing when there is no such place.
 std::optional<Box2> placeLabel(const LabelRequest& request, const Landed& landed, const Box2& viewport);
 

@@ -399,7 +399,10 @@ void Placer::State::labelInside(const View& view, Layout& layout) {
   for (PlacedLine& line : layout.lines) {
     if (line.placement != PlacementKind::kInside || line.label) continue;
     const auto measured = std::ranges::find(order, line.parameter, &Measured::parameter);
-    line.label = placeLabel({.line = line.lineScreen, .textSize = measured->textSize}, occupied.landed(), view.viewport());
+    LabelRequest request{.line = line.lineScreen, .textSize = measured->textSize};
+    line.label = placeLabel(request, occupied.landed(), view.viewport());
+    request.overExtensions = true;
+    if (!line.label) line.label = placeLabel(request, occupied.landed(), view.viewport());
     if (line.label) occupied.add(*line.label);
   }
 }
@@ -434,8 +437,9 @@ bool Placer::State::placeLines(std::size_t rank, const ChoiceContext& context, d
   History& history = past.histories[measured.parameter];
   label(measured, parameters[measured.parameter], value);
   const bool found = chooser.choose(measured, context, history);
-  // What gave way to others inside the model comes back when it has had a place for a while, or is in view from end to end.
-  const bool waits = found && !showHidden && history.hiddenForWantOfRoom() && !isWhole(chooser.winner().baseScreen, context.view) && !history.betterIsThere();
+  // A line inside the model that is cut off comes, or comes back after it gave way to others, when it has had a place for a while: at the picture's rim it may have one for a moment only.
+  const bool comes = history.hiddenForWantOfRoom() || (firm && history.hidden() && chooser.winner().placement == PlacementKind::kInside);
+  const bool waits = found && !showHidden && comes && !isWhole(chooser.winner().baseScreen, context.view) && !history.betterIsThere();
   if (!found || waits) {
     BaseLineTally tally = scopesOutOfSight(measured);
     tally.add(chooser.tally());

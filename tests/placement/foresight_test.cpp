@@ -88,6 +88,7 @@ Foresight::Prospect prospectOutside(const View& before, const View& now, const S
   REQUIRE(planes.size() == 1);
   return foresight.prospect({feature, Slip::kBillboard, planes[0], 1, 0.0, line});
 }
+double priceInside(const Foresight& foresight, const Segment& base) { return foresight.prospectInside(base, true).price; }
 double priceOutside(const View& before, const View& now, const Segment& line, const BaseLine& feature = inTheMiddle()) {
   return prospectOutside(before, now, line, feature).price;
 }
@@ -140,9 +141,9 @@ TEST_CASE("what the camera comes nearer to leaves the viewport") {
 
   Foresight foresight;
   foresight.begin(seeing(10), seeing(9), boxBounds(), {}, 1e-3);
-  CHECK(foresight.priceInside(rightBy(0.92)) == 0);
-  CHECK(foresight.priceInside(rightBy(0.94)) < 0);
-  CHECK(foresight.priceInside({{-20, 1, 0}, {20, 1, 0}}) == 0);
+  CHECK(priceInside(foresight, rightBy(0.92)) == 0);
+  CHECK(priceInside(foresight, rightBy(0.94)) < 0);
+  CHECK(priceInside(foresight, {{-20, 1, 0}, {20, 1, 0}}) == 0);
 }
 
 TEST_CASE("what is lost sooner costs more") {
@@ -158,7 +159,7 @@ TEST_CASE("what is lost sooner costs more") {
   double last = worst;
   int steps = 0;
   for (double x = 4.6; x > 3; x -= 0.01) {
-    const double price = foresight.priceInside(rightBy(x));
+    const double price = priceInside(foresight, rightBy(x));
     CHECK(price >= last);
     if (price > last) ++steps;
     last = price;
@@ -178,20 +179,28 @@ TEST_CASE("what is lost within a turn of kForesightRad, or a zoom of kBriefZoom,
   CHECK_FALSE(prospectOutside(turnedBy(0), turnedBy(1), {{0, 1, -14.3}, {0, 2, -14.3}}).brief);
 }
 
-TEST_CASE("what leaves the picture at the first looks leaves soon, and what is cut off already at later ones") {
+TEST_CASE("outside the model, what is lost at the next look is in its last moments, while the camera comes nearer") {
+  // To the right of the middle 4.05 m are seen at the first look, then 3.645 m.
+  CHECK(prospectOutside(seeing(10), seeing(9), rightBy(4.06)).lastMoments);
+  CHECK_FALSE(prospectOutside(seeing(10), seeing(9), rightBy(3.9)).lastMoments);
+  CHECK_FALSE(prospectOutside(seeing(9), seeing(9), rightBy(4.06)).lastMoments);
+  CHECK_FALSE(prospectOutside(turnedBy(0), turnedBy(1), {{0, 1, -29}, {0, 2, -29}}).lastMoments);
+}
+
+TEST_CASE("inside the model, what leaves the picture at the first looks is in its last moments, and what is cut off already at later ones") {
   Foresight foresight;
   foresight.begin(seeing(10), seeing(9), boxBounds(), {}, 1e-3);
   // To the right of the middle 4.05 m are seen at the first look, then 3.645, 3.28, 2.95, 1.94 and 0.93 m.
   for (const bool whole : {true, false}) {
-    CHECK(foresight.leavesSoon(rightBy(3.65), whole));
-    CHECK(foresight.leavesSoon(rightBy(2.96), whole) == !whole);
-    CHECK_FALSE(foresight.leavesSoon(rightBy(2.94), whole));
+    CHECK(foresight.prospectInside(rightBy(3.65), whole).lastMoments);
+    CHECK(foresight.prospectInside(rightBy(2.96), whole).lastMoments == !whole);
+    CHECK_FALSE(foresight.prospectInside(rightBy(2.94), whole).lastMoments);
   }
-  CHECK(foresight.leavesSoon(rightBy(3.63), false));
-  CHECK_FALSE(foresight.leavesSoon(rightBy(3.63), true));
+  CHECK(foresight.prospectInside(rightBy(3.63), false).lastMoments);
+  CHECK_FALSE(foresight.prospectInside(rightBy(3.63), true).lastMoments);
   // Not while the camera turns.
   foresight.begin(turnedBy(0), turnedBy(1), boxBounds(), {}, 1e-3);
-  CHECK_FALSE(foresight.leavesSoon(rightBy(5.1), true));
+  CHECK_FALSE(foresight.prospectInside(rightBy(5.1), true).lastMoments);
 }
 
 TEST_CASE("a line comes nearer to the model by what handleSpacing is less when the camera has come nearer") {
@@ -235,15 +244,15 @@ TEST_CASE("a camera that flies towards its target is followed, not through it") 
   // By nearly as much as that in one frame: two frames on it is at 1.25 m.
   Foresight foresight;
   foresight.begin(from(10), from(5), boxBounds(), {}, 1e-3);
-  CHECK(foresight.priceInside(rightBy(0.12)) == 0);
-  CHECK(foresight.priceInside(rightBy(0.13)) < 0);
+  CHECK(priceInside(foresight, rightBy(0.12)) == 0);
+  CHECK(priceInside(foresight, rightBy(0.13)) < 0);
 }
 
 TEST_CASE("before a still camera the movement is thought to go on as it did; after a scene's edit it is not") {
   Foresight foresight;
   foresight.begin(seeing(10), seeing(9), boxBounds(), {}, 1e-3);
   foresight.begin(seeing(9), seeing(9), boxBounds(), {}, 1e-3);
-  CHECK(foresight.priceInside(rightBy(3.7)) < 0);
+  CHECK(priceInside(foresight, rightBy(3.7)) < 0);
   foresight.begin(std::nullopt, seeing(9), boxBounds(), {}, 1e-3);
-  CHECK(foresight.priceInside(rightBy(3.7)) == 0);
+  CHECK(priceInside(foresight, rightBy(3.7)) == 0);
 }

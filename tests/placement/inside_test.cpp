@@ -79,6 +79,23 @@ TEST_CASE("inside the model, a line that gave way comes back when it has had roo
   CHECK(fresh.find("Height") != nullptr);
 }
 
+TEST_CASE("inside the model, a line that is cut off comes when it has had room for a while, one that is whole at once") {
+  Stage stage(wallWithMast());
+  // Above the wall; then the mast is in the picture, but not from end to end.
+  stage.look(straightAt(14, kSeenM));
+  REQUIRE(stage.find("Height") == nullptr);
+  int frames = 0;
+  for (; stage.find("Height") == nullptr && frames < 100; ++frames) stage.look(straightAt(4 + 0.01 * frames, kSeenM));
+  CHECK(frames > kPatienceFrames);
+  CHECK(frames <= kPatienceFrames + 2);
+
+  Stage other(wallWithMast());
+  other.look(straightAt(4, kSeenM));
+  REQUIRE(other.find("Width") == nullptr);
+  other.look(straightAt(0, kSeenM));
+  CHECK(other.find("Width") != nullptr);
+}
+
 TEST_CASE("inside the model, lines lie on edges that are seen rather than behind it") {
   ModelDefinition definition = boxWithDoor();
   for (Parameter& parameter : definition.parameters) parameter.annotation.replace(parameter.annotation.find("slip="), std::string::npos, "slip=none)");

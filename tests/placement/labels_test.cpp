@@ -40,6 +40,36 @@ TEST_CASE("a label moves along its line when the middle is taken") {
   CHECK(box->center().x != Approx(200));
 }
 
+TEST_CASE("a label finds room between the places that are tried first") {
+  Landed landed;
+  // Its middle may lie 56 px to either side of the line's. On the right there is room for it from 34 to 37 px alone.
+  for (const double x : {100.0, 206.0, 265.0}) landed.add(placed({{x, 400}, {x, 600}}), -1);
+  for (const double x : {140.0, 185.0}) landed.addLabel({{x, 495}, {x + 5, 505}});
+  const auto box = placeLabel({.line = {{100, 500}, {300, 500}}, .textSize = kText}, landed, kViewport);
+  REQUIRE(box);
+  CHECK(box->center().x == Approx(200 + 56 * 0.625));
+}
+
+TEST_CASE("a label stands beside its line further along where something is beside the middle") {
+  Landed landed;
+  // Beyond either end of a line that is too short for its text, and at the left above and below it.
+  for (const Box2& taken : {Box2{{470, 495}, {475, 505}}, Box2{{360, 495}, {365, 505}}, Box2{{392, 478}, {398, 490}}, Box2{{392, 510}, {398, 522}}}) landed.addLabel(taken);
+  const auto box = placeLabel({.line = {{400, 500}, {440, 500}}, .textSize = kText}, landed, kViewport);
+  REQUIRE(box);
+  CHECK(box->center().x == Approx(420 + 10));
+  CHECK(std::abs(box->center().y - 500) == Approx(16));
+}
+
+TEST_CASE("extension lines may run under a label where that is allowed, lines and labels not") {
+  Landed landed;
+  PlacedLine line = placed({{100, 100}, {100, 200}}, Box2{{80, 140}, {120, 160}});
+  line.extensionStart = {{300, 100}, {100, 100}};
+  landed.add(line, -1);
+  CHECK(landed.hasRoom({{200, 97}, {240, 107}}, true));
+  CHECK_FALSE(landed.hasRoom({{98, 120}, {110, 130}}, true));
+  CHECK_FALSE(landed.hasRoom({{122, 145}, {140, 155}}, true));
+}
+
 TEST_CASE("a label stands beyond the end of a line that is too short") {
   const auto box = placeLabel({.line = {{100, 500}, {140, 500}}, .textSize = kText}, Landed{}, kViewport);
   REQUIRE(box);
