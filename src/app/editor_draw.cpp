@@ -74,6 +74,7 @@ void Editor::State::buildOverlayLines() {
     drawnLine.startDraggable = drawnLine.endDraggable = false;
     for (const Handle& handle : line.handles) (handle.atEnd ? drawnLine.endDraggable : drawnLine.startDraggable) = true;
     drawnLine.indirect = line.indirect;
+    drawnLine.behind = line.behind;
     drawnLine.sphereEnds = line.look.skin == HandleSkin::kSphere;
     drawnLine.color = overlayColor(line.look);
     drawnLine.hovered = state.hovered;

@@ -64,6 +64,7 @@ struct PlacedLine {
   std::vector<Vec2> extensionEnd;
   std::int32_t chain = -1;        ///< equal for the members of one chain, different between chains; -1 for a line of its own
   bool indirect = false;          ///< drawn stippled
+  bool behind = false;            ///< inside, on the far side of its scope: the faces that meet in its base line are turned away. Drawn faint
   LineLook look;
   double lengthM = 0;             ///< of the base line, in the world
   double value = 0;               ///< the parameter's value

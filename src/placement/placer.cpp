@@ -510,6 +510,7 @@ void Placer::State::landChoice(const Measured& measured, double value, Layout& l
     // A parameter has at most one chain in a frame, so its number says which chain it is.
     line.chain = winner.identity.chain >= 0 ? static_cast<std::int32_t>(measured.parameter) : -1;
     line.indirect = measured.annotation.indirect;
+    line.behind = winner.behind;
     line.look = {measured.annotation.skin, measured.annotation.color};
     line.lengthM = chosen.base.length();
     line.value = value;

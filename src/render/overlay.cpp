@@ -20,6 +20,8 @@ constexpr double kHaloSoftnessPx = 2.0;
 /// The same round extension lines, which are many and often lie over the model: less of it, or they would show as white bars.
 constexpr double kExtensionHaloReachPx = 1.5;
 constexpr float kExtensionHaloOpacity = 0.5F;
+/// Of a line behind the model, which would otherwise seem to measure what it is drawn over.
+constexpr float kLineBehindOpacity = 0.35F;
 /// Dash and gap of an indirect line (px).
 constexpr double kDashPx = 4.0;
 /// A line's arrowheads never take more than this share of it, so that something of the line is left between them.
@@ -291,10 +293,12 @@ void addHairs(const Overlay& overlay, bool halos, const Theme& theme, ShapeList&
   }
 }
 
+bool faint(const OverlayLine& line) { return line.behind && !line.hovered && !line.active; }
+
 void addHalo(const OverlayLine& line, const Theme& theme, ShapeList& list) {
   const Pieces pieces = piecesOf(line);
   const std::uint32_t halo = pack(theme.halo, line.opacity);
-  for (std::size_t i = 0; i < pieces.strokeCount; ++i) list.strokeHalo(pieces.strokes[i], kLineWidthPx, halo);
+  for (std::size_t i = 0; i < pieces.strokeCount && !faint(line); ++i) list.strokeHalo(pieces.strokes[i], kLineWidthPx, halo);
   if (line.sphereEnds) {
     list.disc(line.line.start, pieces.startArrow.lengthPx + kHaloReachPx, kHaloSoftnessPx, halo);
     list.disc(line.line.end, pieces.endArrow.lengthPx + kHaloReachPx, kHaloSoftnessPx, halo);
@@ -318,8 +322,9 @@ void addInk(const OverlayLine& line, const Theme& theme, ShapeList& list) {
   const std::uint32_t handle = pack(lit ? theme.handleHovered : theme.handle, line.opacity);
   const glm::vec4 plain = line.color ? glm::vec4(glm::vec3(*line.color) * (lit ? kLitShade : 1.0F), line.color->a) : lit ? theme.lineHovered : theme.line;
   const std::uint32_t ink = pack(plain, line.opacity);
+  const std::uint32_t stroke = faint(line) ? pack(plain, line.opacity * kLineBehindOpacity) : ink;
   for (std::size_t i = 0; i < pieces.strokeCount; ++i) {
-    list.stroke(pieces.strokes[i], lit ? kLineWidthHoveredPx : kLineWidthPx, line.indirect ? kDashPx : 0.0, ink);
+    list.stroke(pieces.strokes[i], lit ? kLineWidthHoveredPx : kLineWidthPx, line.indirect ? kDashPx : 0.0, stroke);
   }
   if (line.sphereEnds) {
     addSphere(line.line.start, pieces.startArrow.lengthPx, line.startDraggable ? handle : ink, line.opacity, list);

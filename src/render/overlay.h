@@ -29,6 +29,7 @@ struct OverlayLine {
   bool startDraggable = false;
   bool endDraggable = true;
   bool indirect = false;                    ///< stippled
+  bool behind = false;                      ///< the model is before it: between its ends it is faint, unless the pointer is at it
   bool sphereEnds = false;                  ///< balls about the ends in place of arrowheads
   std::optional<glm::vec4> color;           ///< of the line and its fixed ends, in place of the theme's
   bool hovered = false;                     ///< the pointer is over a handle of it

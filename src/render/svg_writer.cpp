@@ -133,6 +133,7 @@ std::vector<OverlayShape> overlayOf(const Layout& layout) {
     line.label = placed.label;
     line.endDraggable = false;  // on paper
     line.indirect = placed.indirect;
+    line.behind = placed.behind;
     line.sphereEnds = placed.look.skin == HandleSkin::kSphere;
     line.color = overlayColor(placed.look);
     lines.push_back(line);

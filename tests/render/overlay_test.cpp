@@ -172,6 +172,25 @@ TEST_CASE("an indirect line is stippled") {
   CHECK(withInk(build(line), 1)[0].dashPx > 0.0F);
 }
 
+TEST_CASE("a line behind the model is faint and without a halo between its ends, unless the pointer is at it") {
+  const auto strokes = [](const OverlayLine& line, unsigned ink) {
+    std::vector<OverlayShape> found = withInk(build(line), ink);
+    std::erase_if(found, [](const OverlayShape& shape) { return shape.kind != OverlayShape::Kind::kStroke; });
+    return found;
+  };
+  OverlayLine line = lineFrom({0, 0}, {200, 0});
+  line.behind = true;
+  REQUIRE(strokes(line, 1).size() == 1);
+  CHECK(opacityOf(strokes(line, 1)[0]) < 128);
+  CHECK(strokes(line, 6).empty());
+  // Its ends are as they ever are.
+  for (const OverlayShape& shape : build(line)) CHECK((shape.kind == OverlayShape::Kind::kStroke || opacityOf(shape) == 255));
+  line.hovered = true;
+  REQUIRE(strokes(line, 2).size() == 1);
+  CHECK(opacityOf(strokes(line, 2)[0]) == 255);
+  CHECK(strokes(line, 6).size() == 1);
+}
+
 TEST_CASE("hovering changes the colours and widens the stroke; the handle's size is the caller's") {
   OverlayLine line = lineFrom({0, 0}, {200, 0});
   const float atRest = withInk(build(line), 1)[0].halfWidthPx;
