@@ -109,7 +109,7 @@ void keep(const CandidateContext& context, const UsableBaseLine& base, Candidate
   if (identity != context.history.last()) {
     const Foresight::Prospect prospect =
         context.foresight.prospect({base.line, context.annotation.slip, candidate.plane, identity.direction, candidate.offsetM, candidate.line});
-    // A line inside the model does not come out for a moment.
+    // No place is begun for its last moments, and a line inside the model does not come out for a moment.
     if (prospect.lastMoments || (prospect.brief && (context.history.wasInside() || (context.lasting && context.foresight.zooms())))) return;
     candidate.score += prospect.price;
   }

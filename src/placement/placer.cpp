@@ -437,7 +437,7 @@ bool Placer::State::placeLines(std::size_t rank, const ChoiceContext& context, d
   History& history = past.histories[measured.parameter];
   label(measured, parameters[measured.parameter], value);
   const bool found = chooser.choose(measured, context, history);
-  // A line inside the model that is cut off comes, or comes back after it gave way to others, when it has had a place for a while: at the picture's rim it may have one for a moment only.
+  // A line inside the model that is cut off comes, or comes back after it gave way to others, when it has had a place for a while: at the picture's rim it may have one for a moment only. What an edit brings is shown at once.
   const bool comes = history.hiddenForWantOfRoom() || (firm && history.hidden() && chooser.winner().placement == PlacementKind::kInside);
   const bool waits = found && !showHidden && comes && !isWhole(chooser.winner().baseScreen, context.view) && !history.betterIsThere();
   if (!found || waits) {
