@@ -1,13 +1,32 @@
 in vec2 local;
 flat in vec4 shape;
 flat in vec2 shapeLean;
+flat in vec3 shapeHiding;
 flat in uint shapeKind;
 flat in vec4 shapeColor;
 uniform vec3 viewport;
+uniform highp sampler2D depths;  // of the picture below
 out vec4 premultiplied;
 
 // How much of a pixel, whose middle is at x and which is 1 wide, lies in [low, high].
 float overlap(float x, float low, float high) { return clamp(min(high, x + 0.5) - max(low, x - 0.5), 0.0, 1.0); }
+
+// px. What hides a line is at least twice as wide as this: a rope or a bar before it would only make it restless.
+const float kHiderReach = 2.5;
+
+// Whether the model is before the line here, and all around here.
+bool hidden() {
+  float depth = mix(shapeHiding.x, shapeHiding.y, clamp(local.x / max(shape.x, 1e-3), 0.0, 1.0));
+  vec2 size = viewport.xy * viewport.z;
+  vec2 at = gl_FragCoord.xy / size;
+  if (texture(depths, at).r >= depth) return false;
+  vec2 reach = vec2(kHiderReach * viewport.z) / size;
+  for (int i = 0; i < 8; ++i) {
+    float turn = float(i) * 0.7854;
+    if (texture(depths, at + reach * vec2(cos(turn), sin(turn))).r >= depth) return false;
+  }
+  return true;
+}
 
 void main() {
   float ratio = viewport.z;
@@ -47,6 +66,7 @@ void main() {
                               : clamp(side * ratio + 0.5, 0.0, 1.0) * clamp(back * ratio + 0.5, 0.0, 1.0);
   }
   float opacity = shapeColor.a * coverage;
+  if (opacity > 0.0 && shapeHiding.z < 1.0 && hidden()) opacity *= shapeHiding.z;
   if (opacity <= 0.0) discard;
   premultiplied = vec4(shapeColor.rgb * opacity, opacity);
 }

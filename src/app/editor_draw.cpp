@@ -66,17 +66,7 @@ void Editor::State::uploadScene() {
 void Editor::State::buildOverlayLines() {
   overlayLines.clear();
   const auto add = [&](const PlacedLine& line, double opacity, const LineState& state, float handleScale) {
-    OverlayLine drawnLine;
-    drawnLine.line = line.lineScreen;
-    drawnLine.extensionStart = line.extensionStart;
-    drawnLine.extensionEnd = line.extensionEnd;
-    drawnLine.label = line.label;
-    drawnLine.startDraggable = drawnLine.endDraggable = false;
-    for (const Handle& handle : line.handles) (handle.atEnd ? drawnLine.endDraggable : drawnLine.startDraggable) = true;
-    drawnLine.indirect = line.indirect;
-    drawnLine.behind = line.behind;
-    drawnLine.sphereEnds = line.look.skin == HandleSkin::kSphere;
-    drawnLine.color = overlayColor(line.look);
+    OverlayLine drawnLine = overlayLine(line, scene, drawn.view);
     drawnLine.hovered = state.hovered;
     drawnLine.active = state.dragged;
     drawnLine.opacity = static_cast<float>(opacity);
@@ -181,9 +171,9 @@ void Editor::State::markScopes(std::size_t parameter, const View& view, double s
   // Many boxes together would be a thicket; each is the quieter, and what the model hides of it is left out.
   const auto opacity = static_cast<float>(share * std::clamp(kScopesInFull / static_cast<double>(std::max<std::ptrdiff_t>(count, 1)), 0.4, 1.0));
   if (count == 0) return;
-  scopeMarks.begin(scene, view, nowMs);
+  const ScopeMark mark{kEdgeSkinShare * scene.bounds.diagonal(), opacity, static_cast<double>(count) <= kScopesInFull};
   for (const std::size_t i : placed.visibleScopes) {
-    if (ofIt(i)) scopeMarks.add(scene.scopes[i].box, opacity, static_cast<double>(count) <= kScopesInFull, overlayEdges);
+    if (ofIt(i)) addEdges(scene.scopes[i].box, view, mark, overlayEdges);
     if (overlayEdges.size() >= kMostEdges) return;
   }
 }

@@ -49,7 +49,7 @@ bool Editor::atRest() const {
   if (!s.hasSize()) return true;
   if (s.handleGesture && s.handleGesture->moved) return false;
   return !s.viewStale && !s.visibilityStale && s.fieldSource.current() && !s.fieldSource.pending() &&
-         s.animator.atRest() && s.handleAnimator.atRest() && !s.hoverAnimating() && !s.marksToLearn && !s.wantsBetterPicture() && !(s.renderer && (s.pictureStale || s.marksBehind()));
+         s.animator.atRest() && s.handleAnimator.atRest() && !s.hoverAnimating() && !s.marksToLearn && !s.wantsBetterPicture() && !(s.renderer && s.pictureStale);
 }
 
 void Editor::State::rebuild() {
@@ -62,7 +62,6 @@ void Editor::State::rebuild() {
   placer.setScene(placedModel(), scene);
   fieldSource.setScene(scene);
   visibilitySource.sceneChanged();
-  scopeMarks.sceneChanged();
   sceneStale = false;
   placedInScene = false;
   viewStale = true;
@@ -200,7 +199,7 @@ void Editor::State::animate(const View& view) {
   handleAnimator.update(shown, scene.scopes, view, nowMs, drawn);
   updateHover();
   updateStates();
-  if (!wasAtRest || !animator.atRest() || !handleAnimator.atRest() || !sameAsDrawn || hoverAnimating() || marksBehind()) pictureStale = true;
+  if (!wasAtRest || !animator.atRest() || !handleAnimator.atRest() || !sameAsDrawn || hoverAnimating()) pictureStale = true;
 }
 
 /// Opacity, hover and drag of everything that is drawn.

@@ -126,7 +126,6 @@ struct Editor::State {
   bool marksLearned = false;  ///< some were that are not shown yet
   double marksShownMs = 0;
   std::vector<OverlayEdge> overlayEdges;
-  ScopeMarks scopeMarks;
 
   // editor.cpp
   [[nodiscard]] bool hasSize() const { return widthPx >= 1 && heightPx >= 1; }
@@ -181,8 +180,6 @@ struct Editor::State {
   void updateStates();
   void clearLines();
   [[nodiscard]] bool hoverAnimating() const;
-  /// Marked edges in the picture go by a depth that is not the present scene's.
-  [[nodiscard]] bool marksBehind() const { return !overlayEdges.empty() && scopeMarks.behind(); }
 
   // editor_draw.cpp
   void draw(const View& view);

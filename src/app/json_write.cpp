@@ -45,7 +45,6 @@ void writeLine(JsonWriter& json, const Model& model, const Scene& scene, const P
   writeValue(json, parameter, line.value);
   json.key("text").value(line.text);
   json.key("indirect").value(line.indirect);
-  json.key("behind").value(line.behind);
   json.key("chain");
   line.chain >= 0 ? json.value(line.chain) : json.null();
   json.key("placement").value(name(line.placement));

@@ -212,6 +212,9 @@ inline constexpr int kVisibilitySamples = 384;
 /// the wall, and facades stand a little before their scopes. Too small hides what is plainly there, too large shows it through thin walls.
 inline constexpr double kScopeSkinShare = 0.01;
 
+/// The same for a single edge that is drawn over the picture: less, since an edge a brick behind a wall would shine through.
+inline constexpr double kEdgeSkinShare = 0.3 * kScopeSkinShare;
+
 /// Share of the viewport that is plenty to see: a scope that covers more is judged as if it covered this much, so that a house of which a whole wall shows is not
 /// hidden for its other walls.
 inline constexpr double kPlentySeenShare = 0.003;

@@ -324,6 +324,7 @@ std::optional<PlacedLine> HandleDrag::lineOn(const Scene& scene, const Values& v
   PlacedLine line = line_;
   line.scope = tracked->scope;
   line.base = tracked->base;
+  line.foot = {line_.foot.start + tracked->base.start - line_.base.start, line_.foot.end + tracked->base.end - line_.base.end};
   line.lengthM = tracked->base.length();
 
   const Vec3& carrier = line_.line.start;

@@ -98,6 +98,17 @@ View::View(const Camera& camera, double widthPx, double heightPx, const Bounds& 
   }
 }
 
+double View::windowDepth(const Vec3& p) const {
+  const Vec4 clip = viewProjection_ * Vec4(p, 1.0);
+  return 0.5 + 0.5 * clip.z / clip.w;
+}
+
+double View::depthFromWindow(double windowDepth) const {
+  // Of the projection's rows for z and w only two columns count.
+  const double ndc = 2 * windowDepth - 1;
+  return (projection_[3][2] - ndc * projection_[3][3]) / (projection_[2][2] - ndc * projection_[2][3]);
+}
+
 Vec3 View::directionTo(const Vec3& p) const {
   if (orthographic()) return forward_;
   const Vec3 d = p - camera_.eye;

@@ -52,6 +52,10 @@ class View {
 
   /// Depth of a point along `forward` from the eye (m).
   [[nodiscard]] double depth(const Vec3& p) const { return glm::dot(p - camera_.eye, forward_); }
+  /// The same as a depth buffer holds it, 0 at the near plane to 1 at the far one: along a straight line on screen it grows evenly. Only meaningful in front of the eye.
+  [[nodiscard]] double windowDepth(const Vec3& p) const;
+  /// The depth (m) that has that window depth.
+  [[nodiscard]] double depthFromWindow(double windowDepth) const;
   [[nodiscard]] bool inFrontOfNear(const Vec3& p) const { return depth(p) >= nearM_; }
   /// Unit direction from the viewer to a point (constant when orthographic).
   [[nodiscard]] Vec3 directionTo(const Vec3& p) const;

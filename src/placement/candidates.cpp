@@ -242,7 +242,6 @@ void gatherInsideCandidate(const CandidateContext& context, const UsableBaseLine
   const Vec2 middleScreen = context.view.inFrontOfNear(middle) ? context.view.toScreen(middle) : base.screen.middle();
   candidate.score = scoreInside(base.screen, middleScreen, context.annotation.align) + context.history.bonus(candidate.identity);
   candidate.score += prospect.price;
-  candidate.behind = turnedAway(base.line, context.view, 0.0);
   if (turnedAway(base.line, context.view, stays ? kBehindScopeSin : 0.0)) candidate.score += kScoreBehindScope;
   candidates.push_back(candidate);
 }

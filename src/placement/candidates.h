@@ -38,7 +38,6 @@ struct Candidate {
   double mostM = 0;         ///< how far the plane has room
   double leastPx = 0;       ///< length on screen below which it is no place
   int guide = -1;           ///< number of the guide it lies on
-  bool behind = false;      ///< see PlacedLine
   double score = 0;         ///< without the Intersect term
   double hysteresis = 0;    ///< how much of it is the History's, which says nothing about the place itself
   /// Only the last frame's choice has two: where it would rather lie, and the least, in case its label has no room at the first.

@@ -51,11 +51,13 @@ struct PlacedLine {
   std::size_t parameter = 0;      ///< index into the model's parameters
   std::size_t scope = 0;          ///< index into Scene::scopes
   Identity identity;
+  HandleType type = HandleType::kLinearContour;
   PlacementKind placement = PlacementKind::kInside;
   PlaneKind planeKind = PlaneKind::kNone;
   Facing facing = Facing::kNone;
   Plane plane;                    ///< meaningless when planeKind is kNone
   Segment base;                   ///< world, fixed end first
+  Segment foot;                   ///< world, the base line on the plane, where extension lines bend; the base line itself where they don't
   Segment line;                   ///< world, parallel to base
   Segment2 baseScreen;
   Segment2 lineScreen;
@@ -64,7 +66,6 @@ struct PlacedLine {
   std::vector<Vec2> extensionEnd;
   std::int32_t chain = -1;        ///< equal for the members of one chain, different between chains; -1 for a line of its own
   bool indirect = false;          ///< drawn stippled
-  bool behind = false;            ///< inside, on the far side of its scope: the faces that meet in its base line are turned away. Drawn faint
   LineLook look;
   double lengthM = 0;             ///< of the base line, in the world
   double value = 0;               ///< the parameter's value

@@ -487,11 +487,13 @@ void Placer::State::landChoice(const Measured& measured, double value, Layout& l
     line.scope = chosen.scope;
     line.identity = winner.identity;
     line.identity.scopeIndex = static_cast<std::int32_t>(scopes[chosen.scope].index);
+    line.type = measured.annotation.type;
     line.placement = winner.placement;
     line.planeKind = winner.plane.kind;
     line.facing = winner.plane.facing;
     line.plane = winner.plane.plane;
     line.base = chosen.base;
+    line.foot = chosen.foot;
     line.line = chosen.line;
     line.baseScreen = chosen.baseScreen;
     line.lineScreen = chosen.lineScreen;
@@ -510,7 +512,6 @@ void Placer::State::landChoice(const Measured& measured, double value, Layout& l
     // A parameter has at most one chain in a frame, so its number says which chain it is.
     line.chain = winner.identity.chain >= 0 ? static_cast<std::int32_t>(measured.parameter) : -1;
     line.indirect = measured.annotation.indirect;
-    line.behind = winner.behind;
     line.look = {measured.annotation.skin, measured.annotation.color};
     line.lengthM = chosen.base.length();
     line.value = value;
@@ -531,7 +532,7 @@ void Placer::State::landHeld(const PlacedLine& held, Layout& layout) {
   if (held.placement != PlacementKind::kInside) {
     guide = occupied.guides().through(held.line, held.plane, toleranceM);
     if (guide < 0) guide = occupied.addGuide(held.plane, held.line);
-    past.lookAhead.note(held.parameter, held.base, held.base, held.line);
+    past.lookAhead.note(held.parameter, held.base, held.foot, held.line);
   }
   PlacedLine& line = append(layout.lines, spareLines);
   line = held;

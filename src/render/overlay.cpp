@@ -20,8 +20,10 @@ constexpr double kHaloSoftnessPx = 2.0;
 /// The same round extension lines, which are many and often lie over the model: less of it, or they would show as white bars.
 constexpr double kExtensionHaloReachPx = 1.5;
 constexpr float kExtensionHaloOpacity = 0.5F;
-/// Of a line behind the model, which would otherwise seem to measure what it is drawn over.
-constexpr float kLineBehindOpacity = 0.35F;
+/// What is left of a line that the model hides, which would otherwise seem to measure what it is drawn over.
+constexpr float kLineHiddenShare = 0.35F;
+/// Of an extension line: it is seen to go on, and no more.
+constexpr float kExtensionHiddenShare = 0.3F;
 /// Dash and gap of an indirect line (px).
 constexpr double kDashPx = 4.0;
 /// A line's arrowheads never take more than this share of it, so that something of the line is left between them.
@@ -44,7 +46,7 @@ constexpr float kGhostOpacity = 0.35F;
 /// Edges of a scope that a parameter drives, where they are seen and where the model hides them.
 constexpr double kEdgeWidthPx = 1.25;
 constexpr float kEdgeOpacity = 0.75F;
-constexpr float kEdgeBehindOpacity = 0.2F;
+constexpr float kEdgeHiddenShare = 0.27F;
 /// A colour of the author's under the pointer is so much darker.
 constexpr float kLitShade = 0.8F;
 
@@ -63,6 +65,15 @@ struct Pieces {
   Vec2 along{1, 0};
   double lengthPx = 0;
 };
+
+/// How a line fares where the model hides it.
+struct Hiding {
+  EndDepths depths{0.0F};
+  float share = 1.0F;   ///< see OverlayShape::hiddenShare
+};
+
+/// Where something is hidden it has no halo.
+Hiding haloOf(const Hiding& hiding) { return {hiding.depths, hiding.share < 1.0F ? 0.0F : 1.0F}; }
 
 bool finite(const Vec2& v) { return std::isfinite(v.x) && std::isfinite(v.y); }
 
@@ -117,9 +128,13 @@ Pieces piecesOf(const OverlayLine& line) {
   return pieces;
 }
 
-/// Runs emit(segment) over an extension line: it stands off the base line's end and runs on past the final line.
+/// Window depths at the points of an extension line: where it begins, where it bends, and where it ends.
+using BendDepths = std::array<float, 3>;
+
+/// Runs emit(segment, depths of its ends) over an extension line: it stands off the base line's end and runs on past the final line.
 template <typename Emit>
-void eachExtensionPiece(std::span<const Vec2> polyline, Emit emit) {
+void eachExtensionPiece(std::span<const Vec2> polyline, const BendDepths& depths, Emit emit) {
+  const auto depthAt = [&](std::size_t point) { return point == 0 ? depths[0] : point + 1 == polyline.size() ? depths[2] : depths[1]; };
   double length = 0;
   for (std::size_t i = 1; i < polyline.size(); ++i) length += glm::length(polyline[i] - polyline[i - 1]);
   if (!(length > kExtensionGapPx) || !std::isfinite(length)) return;
@@ -133,9 +148,10 @@ void eachExtensionPiece(std::span<const Vec2> polyline, Emit emit) {
     }
     const Vec2 direction = (piece.end - piece.start) / pieceLength;
     piece.start += direction * skip;
+    const EndDepths ends(glm::mix(depthAt(i - 1), depthAt(i), static_cast<float>(skip / pieceLength)), depthAt(i));
     skip = 0;
     if (i + 1 == polyline.size()) piece.end += direction * kExtensionOvershootPx;
-    emit(piece);
+    emit(piece, ends);
   }
 }
 
@@ -182,24 +198,28 @@ class ShapeList {
   /// From here on strokes are compared with each other by strokeOnce().
   void beginLayer() { layer_ = shapes_.size(); }
   /// A stroke, unless the layer has one there already: neighbours in a chain share an extension line, which must not get darker by that.
-  void strokeOnce(const Segment2& segment, double widthPx, double softnessPx, std::uint32_t rgba) {
+  void strokeOnce(const Segment2& segment, double widthPx, double softnessPx, std::uint32_t rgba, const Hiding& hiding) {
     const glm::vec2 start(segment.start);
     const glm::vec2 end(segment.end);
     for (std::size_t i = layer_; i < shapes_.size(); ++i) {
       OverlayShape& other = shapes_[i];
       if (near(other.startPx, start) && near(other.endPx, end)) {
         if ((other.rgba >> 24U) < (rgba >> 24U)) other.rgba = rgba;
+        other.hiddenShare = std::max(other.hiddenShare, hiding.share);
         return;
       }
     }
     add(segment, widthPx * 0.5, softnessPx, 0.0, OverlayShape::Kind::kStroke, rgba);
+    hide(hiding);
   }
 
-  void stroke(const Segment2& segment, double widthPx, double dashPx, std::uint32_t rgba) {
+  void stroke(const Segment2& segment, double widthPx, double dashPx, std::uint32_t rgba, const Hiding& hiding = {}) {
     add(segment, widthPx * 0.5, 0.0, dashPx, OverlayShape::Kind::kStroke, rgba);
+    hide(hiding);
   }
-  void strokeHalo(const Segment2& segment, double widthPx, std::uint32_t rgba) {
+  void strokeHalo(const Segment2& segment, double widthPx, std::uint32_t rgba, const Hiding& hiding = {}) {
     add(segment, widthPx * 0.5 + kHaloReachPx, kHaloSoftnessPx, 0.0, OverlayShape::Kind::kStroke, rgba);
+    hide(haloOf(hiding));
   }
   void arrow(const Vec2& tip, const Vec2& towardsTip, const Arrow& arrow, std::uint32_t rgba) {
     add({tip, tip - towardsTip * arrow.lengthPx}, arrow.halfWidthPx, 0.0, 0.0, OverlayShape::Kind::kArrow, rgba);
@@ -227,7 +247,12 @@ class ShapeList {
  private:
   void add(const Segment2& segment, double halfWidthPx, double softnessPx, double dashPx, OverlayShape::Kind kind, std::uint32_t rgba) {
     shapes_.push_back({glm::vec2(segment.start), glm::vec2(segment.end), static_cast<float>(halfWidthPx),
-                       static_cast<float>(softnessPx), static_cast<float>(dashPx), glm::vec2(0.0F), kind, rgba});
+                       static_cast<float>(softnessPx), static_cast<float>(dashPx), 1.0F, glm::vec2(0.0F), EndDepths(0.0F), kind, rgba});
+  }
+
+  void hide(const Hiding& hiding) {
+    shapes_.back().hiddenShare = hiding.share;
+    shapes_.back().depths = hiding.depths;
   }
 
   static bool near(const glm::vec2& a, const glm::vec2& b) { return std::abs(a.x - b.x) < 0.5F && std::abs(a.y - b.y) < 0.5F; }
@@ -251,7 +276,9 @@ bool drawable(const OverlayLeader& leader) {
 /// Runs emit(segment) over the two legs of an angle, which are its extension lines.
 template <typename Emit>
 void eachLeg(const OverlayArc& arc, Emit emit) {
-  for (const Vec2& end : {arc.points.front(), arc.points.back()}) eachExtensionPiece(std::array<Vec2, 2>{arc.center, end}, emit);
+  for (const Vec2& end : {arc.points.front(), arc.points.back()}) {
+    eachExtensionPiece(std::array<Vec2, 2>{arc.center, end}, {}, [&](const Segment2& piece, const EndDepths&) { emit(piece); });
+  }
 }
 
 /// From the anchor's dot to the box; nothing when the anchor lies in the box.
@@ -262,29 +289,35 @@ std::optional<Segment2> threadOf(const OverlayLeader& leader) {
   return Segment2{whole.start, whole.start + (whole.end - whole.start) * enter};
 }
 
-void addHair(const Segment2& piece, float opacity, bool halo, const Theme& theme, ShapeList& list) {
+void addHair(const Segment2& piece, float opacity, const Hiding& hiding, bool halo, const Theme& theme, ShapeList& list) {
   if (halo) {
-    list.strokeOnce(piece, kExtensionWidthPx + 2.0 * kExtensionHaloReachPx, kHaloSoftnessPx, pack(theme.halo, opacity * kExtensionHaloOpacity));
+    list.strokeOnce(piece, kExtensionWidthPx + 2.0 * kExtensionHaloReachPx, kHaloSoftnessPx, pack(theme.halo, opacity * kExtensionHaloOpacity), haloOf(hiding));
   } else {
-    list.strokeOnce(piece, kExtensionWidthPx, 0.0, pack(theme.extension, opacity));
+    list.strokeOnce(piece, kExtensionWidthPx, 0.0, pack(theme.extension, opacity), hiding);
   }
+}
+
+/// The extension lines of a line, or their halos.
+void addExtensions(const OverlayLine& line, bool halos, const Theme& theme, ShapeList& list) {
+  const ExtensionDepths depths = line.extensionDepths.value_or(ExtensionDepths{});
+  const float share = line.extensionDepths && !line.hovered && !line.active ? kExtensionHiddenShare : 1.0F;
+  const auto add = [&](const Segment2& piece, const EndDepths& ends) { addHair(piece, line.opacity, {ends, share}, halos, theme, list); };
+  eachExtensionPiece(line.extensionStart, {depths.base.x, depths.foot.x, depths.line.x}, add);
+  eachExtensionPiece(line.extensionEnd, {depths.base.y, depths.foot.y, depths.line.y}, add);
 }
 
 /// The thin lines that tie what is outside to the model, or their halos.
 void addHairs(const Overlay& overlay, bool halos, const Theme& theme, ShapeList& list) {
   for (const OverlayLine& line : overlay.lines) {
-    if (!drawable(line)) continue;
-    for (const std::span<const Vec2> extension : {line.extensionStart, line.extensionEnd}) {
-      eachExtensionPiece(extension, [&](const Segment2& piece) { addHair(piece, line.opacity, halos, theme, list); });
-    }
+    if (drawable(line)) addExtensions(line, halos, theme, list);
   }
   for (const OverlayArc& arc : overlay.arcs) {
-    if (drawable(arc)) eachLeg(arc, [&](const Segment2& piece) { addHair(piece, arc.opacity, halos, theme, list); });
+    if (drawable(arc)) eachLeg(arc, [&](const Segment2& piece) { addHair(piece, arc.opacity, {}, halos, theme, list); });
   }
   for (const OverlayLeader& leader : overlay.leaders) {
     const auto thread = drawable(leader) ? threadOf(leader) : std::nullopt;
     if (!thread) continue;
-    addHair(*thread, leader.opacity, halos, theme, list);
+    addHair(*thread, leader.opacity, {}, halos, theme, list);
     if (halos) {
       list.disc(leader.anchor, kAnchorRadiusPx + kHaloReachPx, kHaloSoftnessPx, pack(theme.halo, leader.opacity));
     } else {
@@ -293,12 +326,21 @@ void addHairs(const Overlay& overlay, bool halos, const Theme& theme, ShapeList&
   }
 }
 
-bool faint(const OverlayLine& line) { return line.behind && !line.hovered && !line.active; }
+/// How a piece of a line fares where the model hides it; nothing hides a line that the pointer is at.
+Hiding hidingOf(const OverlayLine& line, const Segment2& piece) {
+  if (!line.depths || line.hovered || line.active) return {};
+  const Vec2 along = line.line.end - line.line.start;
+  const auto depthAt = [&](const Vec2& p) {
+    const double share = glm::dot(p - line.line.start, along) / glm::dot(along, along);
+    return glm::mix(line.depths->x, line.depths->y, static_cast<float>(share));
+  };
+  return {{depthAt(piece.start), depthAt(piece.end)}, kLineHiddenShare};
+}
 
 void addHalo(const OverlayLine& line, const Theme& theme, ShapeList& list) {
   const Pieces pieces = piecesOf(line);
   const std::uint32_t halo = pack(theme.halo, line.opacity);
-  for (std::size_t i = 0; i < pieces.strokeCount && !faint(line); ++i) list.strokeHalo(pieces.strokes[i], kLineWidthPx, halo);
+  for (std::size_t i = 0; i < pieces.strokeCount; ++i) list.strokeHalo(pieces.strokes[i], kLineWidthPx, halo, hidingOf(line, pieces.strokes[i]));
   if (line.sphereEnds) {
     list.disc(line.line.start, pieces.startArrow.lengthPx + kHaloReachPx, kHaloSoftnessPx, halo);
     list.disc(line.line.end, pieces.endArrow.lengthPx + kHaloReachPx, kHaloSoftnessPx, halo);
@@ -322,9 +364,8 @@ void addInk(const OverlayLine& line, const Theme& theme, ShapeList& list) {
   const std::uint32_t handle = pack(lit ? theme.handleHovered : theme.handle, line.opacity);
   const glm::vec4 plain = line.color ? glm::vec4(glm::vec3(*line.color) * (lit ? kLitShade : 1.0F), line.color->a) : lit ? theme.lineHovered : theme.line;
   const std::uint32_t ink = pack(plain, line.opacity);
-  const std::uint32_t stroke = faint(line) ? pack(plain, line.opacity * kLineBehindOpacity) : ink;
   for (std::size_t i = 0; i < pieces.strokeCount; ++i) {
-    list.stroke(pieces.strokes[i], lit ? kLineWidthHoveredPx : kLineWidthPx, line.indirect ? kDashPx : 0.0, stroke);
+    list.stroke(pieces.strokes[i], lit ? kLineWidthHoveredPx : kLineWidthPx, line.indirect ? kDashPx : 0.0, ink, hidingOf(line, pieces.strokes[i]));
   }
   if (line.sphereEnds) {
     addSphere(line.line.start, pieces.startArrow.lengthPx, line.startDraggable ? handle : ink, line.opacity, list);
@@ -375,9 +416,10 @@ bool drawable(const OverlayEdge& edge) {
 
 /// Edges have a soft border of white, so that they are seen on dark walls too.
 void addEdge(const OverlayEdge& edge, const Theme& theme, ShapeList& list) {
-  const float opacity = edge.opacity * (edge.behind ? kEdgeBehindOpacity : kEdgeOpacity);
-  if (!edge.behind) list.strokeHalo(edge.line, kEdgeWidthPx, pack(theme.halo, opacity * kExtensionHaloOpacity));
-  list.stroke(edge.line, kEdgeWidthPx, 0.0, pack(theme.handleHovered, opacity));
+  const float opacity = edge.opacity * kEdgeOpacity;
+  const Hiding hiding{edge.depths, edge.shownHidden ? kEdgeHiddenShare : 0.0F};
+  list.strokeHalo(edge.line, kEdgeWidthPx, pack(theme.halo, opacity * kExtensionHaloOpacity), hiding);
+  list.stroke(edge.line, kEdgeWidthPx, 0.0, pack(theme.handleHovered, opacity), hiding);
 }
 
 void addMark(const DragMark& mark, const Theme& theme, ShapeList& list) {
@@ -399,12 +441,56 @@ void addMark(const DragMark& mark, const Theme& theme, ShapeList& list) {
   }
 }
 
-}  // namespace
-
-std::optional<glm::vec4> overlayColor(const LineLook& look) {
+/// The colour that an author gave a line, if any.
+std::optional<glm::vec4> colorOf(const LineLook& look) {
   if (!look.color) return std::nullopt;
   const auto& [red, green, blue] = *look.color;
   return srgb(static_cast<unsigned>(red) << 16U | static_cast<unsigned>(green) << 8U | blue);
+}
+
+/// How far (m) a box reaches from its middle in a direction of unit length.
+double reachOf(const Obb& box, const Vec3& direction) {
+  double reach = 0;
+  for (std::size_t axis = 0; axis < box.axes.size(); ++axis) reach += 0.5 * std::abs(glm::dot(box.axes[axis], direction)) * box.size[static_cast<glm::length_t>(axis)];
+  return reach;
+}
+
+/// How much nearer to the viewer (m) a line's base line may be said to lie: where it is no edge of its scope, it is as near as the scope.
+double withinScopeM(const PlacedLine& line, const Scene& scene, const View& view) {
+  const bool edge = line.type == HandleType::kLinearContour || line.scope >= scene.scopes.size();
+  return edge ? 0.0 : reachOf(scene.scopes[line.scope].box, view.directionTo(line.base.middle()));
+}
+
+}  // namespace
+
+EndDepths endDepths(const Segment& world, const View& view, double nearerM) {
+  const auto depthAt = [&](const Vec3& p) {
+    const Vec3 nearer = p - view.directionTo(p) * nearerM;
+    return view.inFrontOfNear(nearer) ? static_cast<float>(view.windowDepth(nearer)) : 0.0F;
+  };
+  return {depthAt(world.start), depthAt(world.end)};
+}
+
+OverlayLine overlayLine(const PlacedLine& line, const Scene& scene, const View& view) {
+  OverlayLine drawn;
+  drawn.line = line.lineScreen;
+  drawn.extensionStart = line.extensionStart;
+  drawn.extensionEnd = line.extensionEnd;
+  drawn.label = line.label;
+  drawn.startDraggable = drawn.endDraggable = false;
+  for (const Handle& handle : line.handles) (handle.atEnd ? drawn.endDraggable : drawn.startDraggable) = true;
+  drawn.indirect = line.indirect;
+  const double modelM = scene.bounds.diagonal();
+  const double withinM = withinScopeM(line, scene, view);
+  if (line.placement == PlacementKind::kInside) {
+    drawn.depths = endDepths(line.line, view, kEdgeSkinShare * modelM + withinM);
+  } else {
+    const auto depths = [&](const Segment& world, double nearerM) { return endDepths(world, view, kScopeSkinShare * modelM + nearerM); };
+    drawn.extensionDepths = {depths(line.base, withinM), depths(line.foot, withinM), depths(line.line, 0.0)};
+  }
+  drawn.sphereEnds = line.look.skin == HandleSkin::kSphere;
+  drawn.color = colorOf(line.look);
+  return drawn;
 }
 
 void buildOverlay(const Overlay& overlay, const Theme& theme, std::vector<OverlayShape>& shapes) {

@@ -8,11 +8,23 @@
 #include <glm/vec2.hpp>
 
 #include "editing/drag_marks.h"
-#include "math/geometry.h"
+#include "math/camera.h"
+#include "model/scene.h"
 #include "placement/layout.h"
 #include "render/theme.h"
 
 namespace dimline {
+
+/// Window depths (View::windowDepth) of the two ends of something straight: the model hides what lies behind it.
+using EndDepths = glm::vec2;
+
+/// Those of a segment in the world once it is so much (m) nearer to the viewer; what is too near to be in the picture counts as nearest of all.
+EndDepths endDepths(const Segment& world, const View& view, double nearerM);
+
+/// Those of a line's extension lines: where they begin, where they bend, and where they end.
+struct ExtensionDepths {
+  EndDepths base{0.0F}, foot{0.0F}, line{0.0F};
+};
 
 /// One dimension line as it is to be drawn, on screen (CSS px). Plain data: placement and animation are decided elsewhere.
 ///
@@ -29,7 +41,9 @@ struct OverlayLine {
   bool startDraggable = false;
   bool endDraggable = true;
   bool indirect = false;                    ///< stippled
-  bool behind = false;                      ///< the model is before it: between its ends it is faint, unless the pointer is at it
+  /// What the model hides is faint: of the line but for its ends, and of its extension lines. Empty: nothing hides it, and so it is while the pointer is at it.
+  std::optional<EndDepths> depths;
+  std::optional<ExtensionDepths> extensionDepths;
   bool sphereEnds = false;                  ///< balls about the ends in place of arrowheads
   std::optional<glm::vec4> color;           ///< of the line and its fixed ends, in place of the theme's
   bool hovered = false;                     ///< the pointer is over a handle of it
@@ -66,7 +80,8 @@ struct OverlayLeader {
 /// An edge of a scope's box that is marked since a parameter drives the scope.
 struct OverlayEdge {
   Segment2 line;
-  bool behind = false;      ///< the model hides it
+  EndDepths depths{0.0F};
+  bool shownHidden = true;  ///< what the model hides of it is faint, or else left out
   float opacity = 1.0F;
 };
 
@@ -92,13 +107,16 @@ struct OverlayShape {
   float halfWidthPx = 0.5F;      ///< an arrow's at its end
   float softnessPx = 0.0F;       ///< 0: as sharp as pixels allow; otherwise the outline fades over this width
   float dashPx = 0.0F;           ///< length of a dash and of the gap after it, counted from start; 0: solid
+  float hiddenShare = 1.0F;      ///< what is left of the opacity where the model hides it (see hidden, shaders/overlay.frag); 1: nothing hides it
   glm::vec2 lean{0.0F};          ///< of a curve's piece: how far along its start and its end lie further on, for each px to the right of it
+  EndDepths depths{0.0F};        ///< of start and end; meaningless when nothing hides it
   Kind kind = Kind::kStroke;
   std::uint32_t rgba = 0;        ///< sRGB, red in the lowest byte, opacity not multiplied in
 };
 
-/// The colour that an author gave a line, if any.
-std::optional<glm::vec4> overlayColor(const LineLook& look);
+/// A placed line as it is to be drawn at rest. A line inside the model, and extension lines, are hidden by what stands before them; where the base line is no
+/// edge of its scope it lies within, so that the scope does not count. The result refers to the line's polylines.
+OverlayLine overlayLine(const PlacedLine& line, const Scene& scene, const View& view);
 
 /// Turns an overlay into shapes, in drawing order: edges of scopes, all halos, then extension lines, legs and leaders, then a drag's marks, then lines, arcs and their ends. Replaces the contents of
 /// `shapes`; allocates only when it grows. What is invisible or not finite is left out.

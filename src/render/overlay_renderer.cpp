@@ -22,9 +22,9 @@ OverlayRenderer::OverlayRenderer(const GlContext& context)
   };
   attribute(0, 2, GL_FLOAT, offsetof(OverlayShape, startPx));
   attribute(1, 2, GL_FLOAT, offsetof(OverlayShape, endPx));
-  attribute(2, 3, GL_FLOAT, offsetof(OverlayShape, halfWidthPx));   // and softness, dash
+  attribute(2, 4, GL_FLOAT, offsetof(OverlayShape, halfWidthPx));   // and softness, dash, hidden share
   attribute(3, 1, GL_UNSIGNED_INT, offsetof(OverlayShape, kind));
-  attribute(5, 2, GL_FLOAT, offsetof(OverlayShape, lean));
+  attribute(5, 4, GL_FLOAT, offsetof(OverlayShape, lean));   // and depths
   attribute(4, 4, GL_UNSIGNED_BYTE, offsetof(OverlayShape, rgba));
   glBindVertexArray(0);
 }
@@ -32,10 +32,11 @@ OverlayRenderer::OverlayRenderer(const GlContext& context)
 Status OverlayRenderer::prepare() {
   if (Status status = program_.status(); !status) return status;
   viewport_ = program_.uniform("viewport");
+  program_.bindSampler("depths", 0);
   return okStatus();
 }
 
-void OverlayRenderer::draw(std::span<const OverlayShape> shapes, double widthPx, double heightPx, double devicePixelRatio) {
+void OverlayRenderer::draw(std::span<const OverlayShape> shapes, GLuint depths, double widthPx, double heightPx, double devicePixelRatio) {
   if (shapes.empty()) return;
   corners_.clear();
   for (const OverlayShape& shape : shapes) corners_.insert(corners_.end(), 4, shape);
@@ -52,6 +53,8 @@ void OverlayRenderer::draw(std::span<const OverlayShape> shapes, double widthPx,
   glDisable(GL_CULL_FACE);
   glEnable(GL_BLEND);
   glBlendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  glActiveTexture(GL_TEXTURE0);
+  glBindTexture(GL_TEXTURE_2D, depths);
   program_.use();
   glUniform3f(viewport_, static_cast<float>(widthPx), static_cast<float>(heightPx), static_cast<float>(devicePixelRatio));
   glBindVertexArray(vertexArray_.id());

@@ -18,8 +18,8 @@ class OverlayRenderer {
   /// An error when the driver does not take the shaders. Call once, before draw().
   Status prepare();
 
-  /// Into the bound framebuffer and viewport, which show widthPx by heightPx CSS pixels.
-  void draw(std::span<const OverlayShape> shapes, double widthPx, double heightPx, double devicePixelRatio);
+  /// Into the bound framebuffer and viewport, which show widthPx by heightPx CSS pixels. `depths`: the depths of the picture below, of any size.
+  void draw(std::span<const OverlayShape> shapes, GLuint depths, double widthPx, double heightPx, double devicePixelRatio);
 
  private:
   Program program_;

@@ -12,26 +12,27 @@ Status PictureTarget::resize(int width, int height, int samples) {
   const bool multisampled = samples > 1;
   finished_.reset();
   samplesColor_.reset();
+  samplesDepth_.reset();
   color_ = makeTexture2D(*context_, GL_RGBA8, width, height, Sampling::kLinear);
-  depth_ = Renderbuffer(*context_);
-  glBindRenderbuffer(GL_RENDERBUFFER, depth_.id());
+  // Depths are copied as they are, which takes the same format on both sides.
+  depth_ = makeTexture2D(*context_, GL_DEPTH_COMPONENT24, width, height, Sampling::kNearest);
   if (multisampled) {
-    glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples, GL_DEPTH_COMPONENT24, width, height);
-    samplesColor_ = Renderbuffer(*context_);
-    glBindRenderbuffer(GL_RENDERBUFFER, samplesColor_.id());
-    glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples, GL_RGBA8, width, height);
-    finished_ = bindFramebufferOf(*context_, color_.id(), 0);
-  } else {
-    glRenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT24, width, height);
-  }
-  drawn_ = Framebuffer(*context_);
-  glBindFramebuffer(GL_FRAMEBUFFER, drawn_.id());
-  if (multisampled) {
+    const auto makeSamples = [&](GLenum format) {
+      Renderbuffer made(*context_);
+      glBindRenderbuffer(GL_RENDERBUFFER, made.id());
+      glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples, format, width, height);
+      return made;
+    };
+    samplesColor_ = makeSamples(GL_RGBA8);
+    samplesDepth_ = makeSamples(GL_DEPTH_COMPONENT24);
+    finished_ = bindFramebufferOf(*context_, color_.id(), depth_.id());
+    drawn_ = Framebuffer(*context_);
+    glBindFramebuffer(GL_FRAMEBUFFER, drawn_.id());
     glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, samplesColor_.id());
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, samplesDepth_.id());
   } else {
-    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, color_.id(), 0);
+    drawn_ = bindFramebufferOf(*context_, color_.id(), depth_.id());
   }
-  glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth_.id());
   if (Status status = checkFramebuffer("picture"); !status) return status;
   width_ = width;
   height_ = height;
@@ -45,18 +46,13 @@ void PictureTarget::bind() const {
 }
 
 void PictureTarget::resolve() const {
-  // Nobody will look at the depth again; tile-based GPUs then need not write it out.
-  const std::array<GLenum, 1> depth{GL_DEPTH_ATTACHMENT};
-  glBindFramebuffer(GL_FRAMEBUFFER, drawn_.id());
-  if (finished_) {
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, drawn_.id());
-    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, finished_.id());
-    glBlitFramebuffer(0, 0, width_, height_, 0, 0, width_, height_, GL_COLOR_BUFFER_BIT, GL_NEAREST);
-    const std::array<GLenum, 2> all{GL_COLOR_ATTACHMENT0, GL_DEPTH_ATTACHMENT};
-    glInvalidateFramebuffer(GL_READ_FRAMEBUFFER, all.size(), all.data());
-    return;
-  }
-  glInvalidateFramebuffer(GL_FRAMEBUFFER, depth.size(), depth.data());
+  if (!finished_) return;
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, drawn_.id());
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, finished_.id());
+  glBlitFramebuffer(0, 0, width_, height_, 0, 0, width_, height_, GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT, GL_NEAREST);
+  // Nobody will look at the samples again; tile-based GPUs then need not write them out.
+  const std::array<GLenum, 2> all{GL_COLOR_ATTACHMENT0, GL_DEPTH_ATTACHMENT};
+  glInvalidateFramebuffer(GL_READ_FRAMEBUFFER, all.size(), all.data());
 }
 
 void PictureTarget::show(GLuint framebuffer, int width, int height) const {

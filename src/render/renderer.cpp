@@ -80,7 +80,7 @@ Status Renderer::draw(const View& view, const Overlay& overlay, const RenderOpti
   target_.show(options.framebuffer, options.widthPx, options.heightPx);
   glViewport(0, 0, options.widthPx, options.heightPx);
   buildOverlay(overlay, options.theme, shapes_);
-  overlayRenderer_.draw(shapes_, view.widthPx(), view.heightPx(), options.devicePixelRatio);
+  overlayRenderer_.draw(shapes_, target_.depthTexture(), view.widthPx(), view.heightPx(), options.devicePixelRatio);
   return okStatus();
 }
 

@@ -34,6 +34,11 @@ struct Pen {
 };
 constexpr std::array<Pen, 4> kPens{{{1.6, "#2b3138"}, {0.9, "#3c444d"}, {0.6, "#59626c"}, {0.4, "#7d8791"}}};
 
+/// px. What hides a dimension line is at least twice as wide as this; it is looked for in steps of that length, at most so many.
+constexpr double kHiderReachPx = 2.5;
+constexpr double kHidingStepPx = 1.0;
+constexpr double kMostHidingSteps = 4096;
+
 /// Share of a halo's soft rim that is cut off.
 constexpr float kHaloFade = 0.75F;
 
@@ -123,19 +128,11 @@ void writeLines(const Scene& scene, const View& view, const ModelPicture& pictur
 }
 
 /// Switches and choices are for the hand, not for paper, and are left out.
-std::vector<OverlayShape> overlayOf(const Layout& layout) {
+std::vector<OverlayShape> overlayOf(const Scene& scene, const Layout& layout) {
   std::vector<OverlayLine> lines;
   for (const PlacedLine& placed : layout.lines) {
-    OverlayLine line;
-    line.line = placed.lineScreen;
-    line.extensionStart = placed.extensionStart;
-    line.extensionEnd = placed.extensionEnd;
-    line.label = placed.label;
-    line.endDraggable = false;  // on paper
-    line.indirect = placed.indirect;
-    line.behind = placed.behind;
-    line.sphereEnds = placed.look.skin == HandleSkin::kSphere;
-    line.color = overlayColor(placed.look);
+    OverlayLine line = overlayLine(placed, scene, layout.view);
+    line.startDraggable = line.endDraggable = false;  // on paper
     lines.push_back(line);
   }
   std::vector<OverlayArc> arcs;
@@ -148,6 +145,44 @@ std::vector<OverlayShape> overlayOf(const Layout& layout) {
   std::vector<OverlayShape> shapes;
   buildOverlay({lines, arcs, {}}, drawingTheme(), shapes);
   return shapes;
+}
+
+/// Whether the model is before a stroke there and all around there, as shaders/overlay.frag judges it.
+bool hiddenAt(const OverlayShape& stroke, double share, const View& view, const ModelPicture& picture) {
+  const double windowDepth = glm::mix(static_cast<double>(stroke.depths.x), static_cast<double>(stroke.depths.y), share);
+  const double nearness = nearnessOf(view, view.depthFromWindow(windowDepth));
+  const Vec2 at = glm::mix(Vec2(stroke.startPx), Vec2(stroke.endPx), share);
+  for (const int dy : {-1, 0, 1}) {
+    for (const int dx : {-1, 0, 1}) {
+      const Vec2 sample = glm::floor((at + Vec2(dx, dy) * kHiderReachPx) * picture.samplesPerPx);
+      const int x = static_cast<int>(std::clamp(sample.x, 0.0, picture.width - 1.0));
+      const int y = static_cast<int>(std::clamp(sample.y, 0.0, picture.height - 1.0));
+      const std::size_t i = picture.at(x, y);
+      if (picture.seen[i] == ModelPicture::kNothing || static_cast<double>(picture.nearness[i]) <= nearness) return false;
+    }
+  }
+  return true;
+}
+
+/// Cuts a stroke where the model begins or ends to hide it, and runs emit(piece) over what is left, each as opaque as it shows.
+template <typename Emit>
+void eachShownPiece(const OverlayShape& stroke, const View& view, const ModelPicture& picture, Emit emit) {
+  const double steps = std::clamp(std::ceil(glm::length(Vec2(stroke.endPx) - Vec2(stroke.startPx)) / kHidingStepPx), 1.0, kMostHidingSteps);
+  const auto hiddenIn = [&](double step) { return hiddenAt(stroke, (step + 0.5) / steps, view, picture); };
+  for (double from = 0; from < steps;) {
+    const bool hidden = hiddenIn(from);
+    double to = from + 1;
+    while (to < steps && hiddenIn(to) == hidden) ++to;
+    OverlayShape piece = stroke;
+    piece.startPx = glm::mix(stroke.startPx, stroke.endPx, static_cast<float>(from / steps));
+    piece.endPx = glm::mix(stroke.startPx, stroke.endPx, static_cast<float>(to / steps));
+    if (hidden) {
+      const auto opacity = static_cast<float>(stroke.rgba >> 24U) * stroke.hiddenShare;
+      piece.rgba = (stroke.rgba & 0xFFFFFFU) | static_cast<std::uint32_t>(std::lround(opacity)) << 24U;
+    }
+    if (piece.rgba >> 24U > 0U) emit(piece);
+    from = to;
+  }
 }
 
 /// What shapes have in common that become one path.
@@ -193,9 +228,9 @@ void appendShape(const OverlayShape& shape, double reachPx, LookPath& path) {
 }
 
 /// Shapes of one look become one path, in the order in which the looks first appear: halos stay below ink.
-void writeOverlay(const Layout& layout, std::string& svg) {
+void writeOverlay(const Scene& scene, const Layout& layout, const ModelPicture& picture, std::string& svg) {
   std::vector<LookPath> paths;
-  for (const OverlayShape& shape : overlayOf(layout)) {
+  const auto write = [&](const OverlayShape& shape) {
     const bool stroke = shape.kind == OverlayShape::Kind::kStroke || shape.kind == OverlayShape::Kind::kCurve;
     // Paper knows no soft rims: a halo ends where it has faded for the most part.
     const float reachPx = shape.halfWidthPx - kHaloFade * shape.softnessPx;
@@ -203,6 +238,13 @@ void writeOverlay(const Layout& layout, std::string& svg) {
     auto found = std::ranges::find(paths, look, &LookPath::look);
     if (found == paths.end()) found = paths.insert(paths.end(), {look, {}, {}});
     appendShape(shape, static_cast<double>(reachPx), *found);
+  };
+  for (const OverlayShape& shape : overlayOf(scene, layout)) {
+    if (shape.hiddenShare < 1.0F) {
+      eachShownPiece(shape, layout.view, picture, write);
+    } else {
+      write(shape);
+    }
   }
   for (const LookPath& path : paths) {
     const Look& look = path.look;
@@ -251,7 +293,7 @@ std::string writeSvg(const Scene& scene, const Layout& layout, const std::string
   const ModelPicture picture = drawModelPicture(scene, view, kSamplesPerPx);
   writeTones(picture, svg);
   writeLines(scene, view, picture, svg);
-  writeOverlay(layout, svg);
+  writeOverlay(scene, layout, picture, svg);
   writeLabels(layout, svg);
   return svg + "</svg>\n";
 }

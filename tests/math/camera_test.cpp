@@ -215,6 +215,23 @@ Box2 screenBox(const View& view, const Bounds& bounds) {
   return box;
 }
 
+TEST_CASE("window depth is 0 at the near plane and 1 at the far one, and grows evenly along a straight line on screen") {
+  Random random(11);
+  for (const Camera& camera : manyCameras()) {
+    const View view(camera, 640, 360, unitBounds());
+    CHECK(view.windowDepth(camera.eye + view.forward() * view.nearM()) == Approx(0).margin(1e-6));
+    CHECK(view.windowDepth(camera.eye + view.forward() * view.farM()) == Approx(1).margin(1e-6));
+    const Segment line{random.point(Vec3(-1.0), Vec3(1.0)), random.point(Vec3(-1.0), Vec3(1.0))};
+    if (!view.inFrontOfNear(line.start) || !view.inFrontOfNear(line.end)) continue;
+    CHECK(view.depthFromWindow(view.windowDepth(line.start)) == Approx(view.depth(line.start)));
+    const Vec3 between = glm::mix(line.start, line.end, random.real(0.1, 0.9));
+    const Segment2 screen = view.toScreen(line);
+    if (!(screen.length() > 1)) continue;
+    const double share = glm::length(view.toScreen(between) - screen.start) / screen.length();
+    CHECK(view.windowDepth(between) == Approx(glm::mix(view.windowDepth(line.start), view.windowDepth(line.end), share)).margin(1e-6));
+  }
+}
+
 TEST_CASE("the opening view is from the front right, a little above, with room for lines") {
   Bounds bounds;
   bounds.add({-4, 0, -3});

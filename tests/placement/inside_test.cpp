@@ -114,27 +114,8 @@ TEST_CASE("inside the model, lines lie on edges that are seen rather than behind
       for (int axis = 0; axis < 3; ++axis) seen = seen || (std::abs(middle[axis]) > 0.1 && middle[axis] * toEye[axis] > 0);
       INFO(name << " at " << azimuth);
       CHECK(seen);
-      CHECK_FALSE(line->behind);
     }
   }
-}
-
-TEST_CASE("inside the model, a line on the far side of its scope says so") {
-  ModelDefinition definition = boxWithDoor();
-  definition.parameters[0].annotation = "@Handle(scope=Box, type=linear-contour, orient=right, slip=none)";
-  Stage stage(definition);
-  // From above, of the box's edges to the right one alone is in the picture: behind and below, in front and above.
-  const auto behind = [&](const Vec3& target) {
-    Camera camera = orbitCamera(target, 30, 0, 30);
-    camera.orthoHeightM = 1;
-    stage.placer.forget();
-    stage.look(camera);
-    REQUIRE(stage.find("Width") != nullptr);
-    CHECK(stage.find("Width")->base.middle() == target);
-    return stage.find("Width")->behind;
-  };
-  CHECK(behind({0, 0, -3}));
-  CHECK_FALSE(behind({0, 5, 3}));
 }
 
 TEST_CASE("while the camera comes nearer, no line comes out of the model for a few frames") {

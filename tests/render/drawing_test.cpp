@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 #include <catch2/catch.hpp>
 
@@ -271,6 +272,30 @@ TEST_CASE("balls and an author's colour are drawn as such") {
   // Two half circles a disc: two halos, two balls with their highlights.
   CHECK(occurrences(svg, " 0 1 0 ") == 12);
   CHECK(occurrences(svg, "=\"#1260ab\"") == 2);
+}
+
+TEST_CASE("where the model hides it, a line inside it is faint on paper too") {
+  Drawing drawing = drawingOf(test::orbitCamera({0, 2.5, 0}, 24, 0, 5), "Box");
+  Layout& layout = drawing.layout;
+  PlacedLine line;
+  line.placement = PlacementKind::kInside;
+  // Along the ground behind the box and out of it on both sides.
+  line.base = line.line = {{-8, 0.2, -3}, {8, 0.2, -3}};
+  line.baseScreen = line.lineScreen = layout.view.toScreen(line.line);
+  layout.lines = {line};
+  const std::string crossing = writeSvg(drawing.scene, layout, "Box");
+  CHECK(wellFormed(crossing));
+  const auto faint = [](const std::string& svg) { return occurrences(svg, "stroke-opacity=\"0.35\""); };
+  REQUIRE(faint(crossing) == 1);
+  double fromX = 0, fromY = 0, toX = 0, toY = 0;
+  const std::string path = crossing.substr(crossing.find("d=\"", crossing.find("stroke-opacity=\"0.35\"")));
+  REQUIRE(std::sscanf(path.c_str(), "d=\"M%lf %lfL%lf %lf\"", &fromX, &fromY, &toX, &toY) == 4);
+  CHECK(fromX == Approx(layout.view.toScreen(Vec3(-4, 0.2, 3)).x).margin(4));
+  CHECK(toX == Approx(layout.view.toScreen(Vec3(4, 0.2, 3)).x).margin(4));
+
+  layout.lines[0].line.start.z = layout.lines[0].line.end.z = 3.5;   // before the box
+  layout.lines[0].lineScreen = layout.view.toScreen(layout.lines[0].line);
+  CHECK(faint(writeSvg(drawing.scene, layout, "Box")) == 0);
 }
 
 TEST_CASE("the same frame gives the same document") {

@@ -6,8 +6,10 @@
 #include <catch2/catch.hpp>
 
 #include "core/constants.h"
+#include "support/scenes.h"
 
 using namespace dimline;
+using namespace dimline::test;
 using Kind = OverlayShape::Kind;
 
 namespace {
@@ -172,23 +174,29 @@ TEST_CASE("an indirect line is stippled") {
   CHECK(withInk(build(line), 1)[0].dashPx > 0.0F);
 }
 
-TEST_CASE("a line behind the model is faint and without a halo between its ends, unless the pointer is at it") {
-  const auto strokes = [](const OverlayLine& line, unsigned ink) {
-    std::vector<OverlayShape> found = withInk(build(line), ink);
-    std::erase_if(found, [](const OverlayShape& shape) { return shape.kind != OverlayShape::Kind::kStroke; });
-    return found;
-  };
+TEST_CASE("what the model hides of a line is faint and without a halo, but for its ends and while the pointer is at it") {
   OverlayLine line = lineFrom({0, 0}, {200, 0});
-  line.behind = true;
-  REQUIRE(strokes(line, 1).size() == 1);
-  CHECK(opacityOf(strokes(line, 1)[0]) < 128);
-  CHECK(strokes(line, 6).empty());
-  // Its ends are as they ever are.
-  for (const OverlayShape& shape : build(line)) CHECK((shape.kind == OverlayShape::Kind::kStroke || opacityOf(shape) == 255));
+  line.label = Box2{{80, -10}, {120, 10}};
+  line.depths = EndDepths(0.2F, 0.6F);
+  unsigned strokes = 0;
+  for (const OverlayShape& shape : build(line)) {
+    CHECK(opacityOf(shape) == 255);   // where nothing hides it
+    if (shape.kind != Kind::kStroke) {
+      CHECK(shape.hiddenShare == 1.0F);
+      continue;
+    }
+    ++strokes;
+    CHECK(shape.hiddenShare < (inkOf(shape) == 6 ? 0.01F : 0.5F));
+    // Depth grows evenly along the line, whichever end a piece is drawn from.
+    CHECK(shape.depths.x == Approx(0.2 + 0.4 * static_cast<double>(shape.startPx.x) / 200));
+    CHECK(shape.depths.y == Approx(0.2 + 0.4 * static_cast<double>(shape.endPx.x) / 200));
+  }
+  CHECK(strokes == 4);
   line.hovered = true;
-  REQUIRE(strokes(line, 2).size() == 1);
-  CHECK(opacityOf(strokes(line, 2)[0]) == 255);
-  CHECK(strokes(line, 6).size() == 1);
+  for (const OverlayShape& shape : build(line)) CHECK(shape.hiddenShare == 1.0F);
+  line.hovered = false;
+  line.depths.reset();
+  for (const OverlayShape& shape : build(line)) CHECK(shape.hiddenShare == 1.0F);
 }
 
 TEST_CASE("hovering changes the colours and widens the stroke; the handle's size is the caller's") {
@@ -288,9 +296,12 @@ TEST_CASE("an author's colour takes the theme's place but for what can be dragge
   line.hovered = true;
   CHECK(withInk(build(line), 160).size() == 2);
 
-  CHECK_FALSE(overlayColor({}).has_value());
-  const auto color = overlayColor({HandleSkin::kArrow, std::array<std::uint8_t, 3>{255, 51, 0}});
-  REQUIRE(color.has_value());
+  PlacedLine placed;
+  placed.placement = PlacementKind::kOutside;
+  CHECK_FALSE(overlayLine(placed, {}, {}).color);
+  placed.look.color = {255, 51, 0};
+  const auto color = overlayLine(placed, {}, {}).color;
+  REQUIRE(color);
   CHECK(color->r == Approx(1.0F));
   CHECK(color->g == Approx(0.2F));
   CHECK(color->b == 0.0F);
@@ -388,15 +399,94 @@ TEST_CASE("a drag's marks are quieter than lines, but for the limit that is reac
   REQUIRE(shapes.size() == 4);
 }
 
-TEST_CASE("edges of a scope lie under everything else, and are faint on the far side of its box") {
-  const std::vector<OverlayEdge> edges{{{{10, 10}, {60, 10}}, false, 1.0F}, {{{10, 40}, {60, 40}}, true, 1.0F}, {{{10, 40}, {10.1, 40}}, true, 1.0F}};
+TEST_CASE("what the model hides of extension lines is faint, at the depth that they have there") {
+  OverlayLine line = lineFrom({0, 0}, {200, 0});
+  const std::vector<Vec2> bent{{0, 100}, {0, 60}, {0, 0}};
+  line.extensionStart = bent;
+  line.extensionDepths = {{0.5F, 0.1F}, {0.6F, 0.1F}, {0.2F, 0.1F}};
+  for (const unsigned ink : {3U, 6U}) {
+    std::vector<OverlayShape> pieces = withInk(build(line), ink);
+    std::erase_if(pieces, [](const OverlayShape& shape) { return shape.kind != Kind::kStroke || shape.startPx.x > 1.0F || shape.endPx.x > 1.0F; });
+    REQUIRE(pieces.size() == 2);
+    CHECK(pieces[0].depths.x == Approx(0.5 + 0.1 * kExtensionGapPx / 40));
+    CHECK(pieces[0].depths.y == Approx(0.6));
+    CHECK(pieces[1].depths.x == Approx(0.6));
+    CHECK(pieces[1].depths.y == Approx(0.2));
+    for (const OverlayShape& piece : pieces) CHECK(piece.hiddenShare < (ink == 6 ? 0.01F : 0.5F));
+  }
+  line.active = true;
+  for (const OverlayShape& shape : build(line)) CHECK(shape.hiddenShare == 1.0F);
+}
+
+TEST_CASE("an extension line that two lines share is as clear as the clearer of them") {
+  std::array<OverlayLine, 2> lines{lineFrom({0, 0}, {100, 0}), lineFrom({0, 0}, {100, 0})};
+  const std::vector<Vec2> shared{{0, 100}, {0, 0}};
+  for (OverlayLine& line : lines) {
+    line.extensionStart = shared;
+    line.extensionDepths = ExtensionDepths{};
+  }
+  lines[1].hovered = true;
+  std::vector<OverlayShape> shapes;
+  buildOverlay({.lines = lines}, testTheme(), shapes);
+  const std::vector<OverlayShape> hairs = withInk(shapes, 3);
+  REQUIRE(hairs.size() == 1);
+  CHECK(hairs[0].hiddenShare == 1.0F);
+}
+
+TEST_CASE("edges of a scope lie under everything else; what the model hides of them is faint, or left out") {
+  const EndDepths depths(0.3F, 0.7F);
+  const std::vector<OverlayEdge> edges{{{{10, 10}, {60, 10}}, depths, true, 1.0F}, {{{10, 40}, {60, 40}}, depths, false, 1.0F}, {{{10, 40}, {10.1, 40}}, depths, true, 1.0F}};
   OverlayLine line;
   line.line = {{100, 100}, {300, 100}};
   std::vector<OverlayShape> shapes;
   buildOverlay({.lines = {&line, 1}, .edges = edges}, testTheme(), shapes);
-  REQUIRE(inkOf(shapes[0]) == 6);  // the near edge's halo
-  REQUIRE(inkOf(shapes[1]) == 5);
-  REQUIRE(inkOf(shapes[2]) == 5);
-  REQUIRE(opacityOf(shapes[2]) < opacityOf(shapes[1]) / 2);
-  REQUIRE(shapes[3].startPx.x > 60);  // the third edge has no length; then come the line's shapes
+  for (std::size_t i = 0; i < 4; ++i) {
+    CHECK(inkOf(shapes[i]) == (i % 2 == 0 ? 6U : 5U));   // halo, ink, halo, ink
+    CHECK(shapes[i].depths == depths);
+  }
+  CHECK(shapes[1].hiddenShare > 0.1F);
+  CHECK(shapes[1].hiddenShare < 0.5F);
+  for (const std::size_t i : {0U, 2U, 3U}) CHECK(shapes[i].hiddenShare == 0.0F);
+  CHECK(shapes[4].startPx.x > 60);  // the third edge has no length; then come the line's shapes
+}
+
+TEST_CASE("inside the model a line can be hidden, but not by its own scope unless it is one of that scope's edges") {
+  const Scene scene = sceneOf({{"Box", boxAt({-4, 0, -3}, {8, 5, 6})}});
+  Camera camera;
+  camera.eye = {0, 2.5, 30};
+  camera.target = {0, 2.5, 0};
+  const View view(camera, 400, 400, scene.bounds);
+  PlacedLine placed;
+  placed.placement = PlacementKind::kInside;
+  placed.type = HandleType::kLinearContour;
+  placed.base = placed.line = {{-4, 0, -3}, {4, 0, -3}};
+  placed.baseScreen = placed.lineScreen = view.toScreen(placed.line);
+  placed.handles.push_back({false, placed.lineScreen.start});
+  const OverlayLine edge = overlayLine(placed, scene, view);
+  CHECK(edge.line.start == placed.lineScreen.start);
+  CHECK(edge.startDraggable);
+  CHECK_FALSE(edge.endDraggable);
+  const double frontFace = view.windowDepth({0, 2.5, 3});
+  REQUIRE(edge.depths);
+  CHECK(static_cast<double>(edge.depths->x) > frontFace);
+  CHECK(static_cast<double>(edge.depths->x) < view.windowDepth({-4, 0, -3}));   // by its skin
+
+  placed.type = HandleType::kLinearCenter;
+  placed.line = {{-4, 2.5, 0}, {4, 2.5, 0}};
+  const OverlayLine center = overlayLine(placed, scene, view);
+  REQUIRE(center.depths);
+  CHECK(static_cast<double>(center.depths->x) < frontFace);
+  CHECK(static_cast<double>(center.depths->x) > view.windowDepth({0, 2.5, 6}));   // what stands before the box still hides it
+
+  // Outside nothing hides the line, but its extension lines may begin behind the model.
+  placed.type = HandleType::kLinearContour;
+  placed.placement = PlacementKind::kOutside;
+  placed.foot = {{-4, 0, -4}, {4, 0, -4}};
+  placed.line = {{-4, -3, -4}, {4, -3, -4}};
+  const OverlayLine outside = overlayLine(placed, scene, view);
+  CHECK_FALSE(outside.depths);
+  REQUIRE(outside.extensionDepths);
+  CHECK(static_cast<double>(outside.extensionDepths->base.x) > frontFace);
+  CHECK(outside.extensionDepths->base.x < outside.extensionDepths->foot.x);
+  CHECK(outside.extensionDepths->foot.x == Approx(outside.extensionDepths->line.x).margin(1e-3));
 }

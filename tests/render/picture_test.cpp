@@ -397,6 +397,53 @@ TEST_CASE("a reduced picture of a model that nothing is known of has rough light
   CHECK(meanDifference(fixture.draw(view), expected) == 0);
 }
 
+TEST_CASE("what the model hides of a line is faint, whatever the picture's quality and pixel ratio; a bar does not hide it") {
+  // Straight before the box, 20 px a metre, and 16 px a metre further to the left a bar of 0.15 m.
+  Scene scene = boxOnGround();
+  test::addBox(scene, test::boxAt({-7, 0, 2}, {0.15, 5, 0.15}));
+  finish(scene);
+  Camera camera;
+  camera.eye = {0, 2.5, 40};
+  camera.target = {0, 2.5, 0};
+  camera.orthoHeightM = 12;
+  const View view(camera, 320, 240, scene.bounds);
+  const auto lineAt = [&](double z) {
+    PlacedLine placed;
+    placed.placement = PlacementKind::kInside;
+    placed.line = placed.base = {{-8, 1.52, z}, {8, 1.52, z}};
+    placed.lineScreen = placed.baseScreen = view.toScreen(placed.line);
+    placed.scope = 0;
+    return placed;
+  };
+  scene.scopes.push_back({"Box", 0, test::boxAt({-4, 0, -3}, {8, 5, 6})});
+  PictureFixture fixture;
+  fixture.setScene(scene);
+  fixture.options.ground = false;
+  for (const RenderQuality quality : {RenderQuality::kFull, RenderQuality::kReduced}) {
+    for (const double ratio : {1.0, 2.0}) {
+      fixture.options.quality = quality;
+      const Picture bare = fixture.draw(view, ratio);
+      const auto inkAt = [&](const Picture& picture, double x) {
+        const Vec2 px = view.toScreen(Vec3(x, 1.52, 0)) * ratio;
+        return bare.brightnessAround(px, 1) - picture.brightnessAround(px, 1);
+      };
+      const auto drawn = [&](double z) {
+        const PlacedLine placed = lineAt(z);
+        const OverlayLine line = overlayLine(placed, scene, view);
+        return fixture.draw(view, ratio, {.lines = {&line, 1}});
+      };
+      INFO((quality == RenderQuality::kFull ? "full" : "reduced") << ", ratio " << ratio);
+      const Picture before = drawn(3);   // on the box's front face
+      const Picture behind = drawn(-3);
+      CHECK(inkAt(before, 0) > 30);
+      CHECK(inkAt(behind, 0) < 0.6F * inkAt(before, 0));
+      CHECK(inkAt(behind, 0) > 5);
+      CHECK(inkAt(behind, -5.5) == Approx(inkAt(before, -5.5)).margin(1));   // beside the box
+      CHECK(inkAt(behind, -6.925) == Approx(inkAt(before, -6.925)).margin(1));
+    }
+  }
+}
+
 TEST_CASE("after its context is lost a renderer goes without a GL call, and the next one draws the same") {
   PictureFixture fixture;
   const Scene scene = boxOnGround();
