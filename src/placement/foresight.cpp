@@ -32,6 +32,7 @@ class Movement {
 
   [[nodiscard]] bool turns() const { return turnRad_ >= kLeastTurnRad; }
   [[nodiscard]] bool zooms() const { return zooming() >= kLeastZoom; }   // false for a NaN too
+  [[nodiscard]] bool nears() const { return zooms() && zoom_ < 1; }
   /// Until the view has turned by kForesightRad or its picture has grown, or shrunk, by kForesightZoom; one at least.
   [[nodiscard]] int framesAhead() const {
     int frames = kMostFramesAhead;
@@ -79,6 +80,7 @@ void Foresight::begin(const std::optional<View>& before, const View& now, const 
   lookCount_ = static_cast<std::size_t>(looks);
   briefCount_ = 0;
   zooms_ = movement.zooms();
+  nears_ = movement.nears();
   now_ = now;
   lossPrice_ = kScoreSoonGone * (movement.zooms() ? kSoonGoneZooming : 1.0);
   if (looks_.size() < lookCount_) looks_.resize(lookCount_);

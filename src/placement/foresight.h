@@ -34,6 +34,8 @@ class Foresight {
   };
   /// Whether the camera comes nearer or goes away.
   [[nodiscard]] bool zooms() const { return lookCount_ > 0 && zooms_; }
+  /// Whether the camera comes nearer.
+  [[nodiscard]] bool nears() const { return zooms() && nears_; }
   /// Of a place outside the model. Its price is 0 when nothing happens to it, and always while the view does not move; kScoreSoonGone when it is lost at the first look ahead, in equal steps less when
   /// later. A feature that turns away from the viewer costs kTurnedAwayShare of that. More of all when the camera comes nearer or goes away.
   [[nodiscard]] Prospect prospect(const Place& place);
@@ -57,6 +59,7 @@ class Foresight {
   std::size_t briefCount_ = 0;      ///< how many of them come before what lasts is not brief
   double lossPrice_ = 0;            ///< px, of what is lost at the first look
   bool zooms_ = false;              ///< the movement comes nearer or goes away
+  bool nears_ = false;              ///< it comes nearer
   View now_;                        ///< what the looks follow
   std::span<const ObjectPlane> objectPlanes_;
   double toleranceM_ = 0;

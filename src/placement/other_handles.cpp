@@ -142,10 +142,14 @@ double scoreOutside(const OtherHandle& handle, const OtherHandleContext& context
          handle.history.bonus(identity) + (crossings.labels ? kScoreCoversLabel : 0.0);
 }
 
-/// A place outside beats any inside, as for lines; but what had no room, or was inside, waits until a better kind of place has been there for some frames.
-std::optional<PillPlace> choose(const OtherHandle& handle, const std::optional<PillPlace>& inside, const std::optional<PillPlace>& outside) {
-  const std::optional<PillPlace>& best = outside ? outside : inside;
+/// A place outside beats any inside, as for lines, but for one that was left a moment ago. What had no room, or was inside, waits until a better kind of place has been there for
+/// some frames; and while the camera comes nearer, what is inside stays there.
+std::optional<PillPlace> choose(const OtherHandle& handle, const OtherHandleContext& context, const std::optional<PillPlace>& inside, const std::optional<PillPlace>& outside) {
   History& history = handle.history;
+  const bool returns = outside && history.leftLately(identityOf(handle, context.scopes[outside->scope], outside->way));
+  const bool stays = history.wasInside() && handle.firm && handle.nearing;
+  if (inside && (returns || stays)) return inside;
+  const std::optional<PillPlace>& best = outside ? outside : inside;
   const bool better = best && (history.hiddenForWantOfRoom() || (history.wasInside() && inside && outside));
   if (!better || history.betterIsThere() || !handle.firm) return best;
   return history.wasInside() ? inside : std::nullopt;
@@ -243,7 +247,7 @@ std::optional<HiddenReason> placePill(const OtherHandle& handle, const OtherHand
       offer(place, outside);
     }
   }
-  const auto place = choose(handle, inside, outside);
+  const auto place = choose(handle, context, inside, outside);
   if (!place) return anchored ? HiddenReason::kCrowded : HiddenReason::kOutOfView;
   placed.scope = place->scope;
   placed.anchor = place->anchor;

@@ -27,6 +27,7 @@ struct OtherHandle {
   double value = 0;
   History& history;
   bool firm = false;         ///< no better kind of place is taken at once
+  bool nearing = false;      ///< the camera comes nearer, so that places outside do not last
 };
 
 /// Places a boolean or a range handle: a pill of fixed size for its parameter, moved from the middle of the scope's face in the direction of `orient` to where

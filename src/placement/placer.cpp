@@ -544,7 +544,7 @@ void Placer::State::placeOther(const Measured& measured, const View& view, doubl
   scopesInSight.clear();
   std::ranges::copy_if(measured.scopes, std::back_inserter(scopesInSight), [&](std::size_t scope) { return usable[scope] != 0; });
   History& history = past.histories[measured.parameter];
-  const OtherHandle handle{measured.parameter, parameters[measured.parameter], measured.annotation, scopesInSight, value, history, firm && !showHidden};
+  const OtherHandle handle{measured.parameter, parameters[measured.parameter], measured.annotation, scopesInSight, value, history, firm && !showHidden, foresight.nears()};
   const OtherHandleContext context{view, occupied.padded(), occupied.landed(), scopes};
   PlacedHandle& placed = append(layout.others, spareHandles, measured.parameter);
   placed.parameter = measured.parameter;

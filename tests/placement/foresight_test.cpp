@@ -146,6 +146,20 @@ TEST_CASE("what the camera comes nearer to leaves the viewport") {
   CHECK(priceInside(foresight, {{-20, 1, 0}, {20, 1, 0}}) == 0);
 }
 
+TEST_CASE("a camera that comes nearer is told from one that goes away, turns or stands still") {
+  const auto nears = [](const View& before, const View& now) {
+    Foresight foresight;
+    foresight.begin(before, now, boxBounds(), {}, 1e-3);
+    return foresight.nears();
+  };
+  CHECK(nears(from(30), from(29)));
+  CHECK_FALSE(nears(from(29), from(30)));
+  CHECK(nears(seeing(10), seeing(9.8)));
+  CHECK_FALSE(nears(seeing(9.8), seeing(10)));
+  CHECK_FALSE(nears(turnedBy(0), turnedBy(2)));
+  CHECK_FALSE(nears(from(30), from(30)));
+}
+
 TEST_CASE("what is lost sooner costs more") {
   // Looked at are the next four frames, the eighth and the fifteenth: to the right of the middle 4.05 m are seen in the first, then 3.645, 3.28, 2.95, 1.94 and 0.93 m.
   const double worst = kScoreSoonGone * kSoonGoneZooming;

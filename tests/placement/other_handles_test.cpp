@@ -159,6 +159,60 @@ TEST_CASE("a pill that had no room or was inside waits until a better kind of pl
   CHECK(placed.placement == PlacementKind::kOutside);
 }
 
+TEST_CASE("while the camera comes nearer a pill stays inside, however long there is a place outside") {
+  FrontOfBox stage;
+  const Parameter parameter{.name = "Attic", .title = "Attic", .type = ParameterType::kBool};
+  const Annotation outside = annotated(HandleType::kBoolean, Orient::kUp, Slip::kBillboard);
+  const Annotation inside = annotated(HandleType::kBoolean, Orient::kUp, Slip::kNone);
+  History history{0};
+  PlacedHandle placed;
+  const auto place = [&](const Annotation& annotation, bool firm, bool nearing) {
+    history.age();
+    REQUIRE_FALSE(placePill({0, parameter, annotation, stage.scopes, 1, history, firm, nearing}, stage.context(), placed));
+    history.choose(placed.identity, -1);
+    return placed.placement;
+  };
+  place(inside, true, false);
+  for (int frame = 0; frame < 3 * kPatienceFrames; ++frame) REQUIRE(place(outside, true, true) == PlacementKind::kInside);
+  // Then it waits as ever.
+  for (int frame = 0; frame < kPatienceFrames; ++frame) REQUIRE(place(outside, true, false) == PlacementKind::kInside);
+  CHECK(place(outside, true, false) == PlacementKind::kOutside);
+  // One that is outside stays there, and after an edit nothing waits.
+  CHECK(place(outside, true, true) == PlacementKind::kOutside);
+  place(inside, true, false);
+  for (int frame = 0; frame < kReturnFrames; ++frame) place(inside, true, false);
+  CHECK(place(outside, false, true) == PlacementKind::kOutside);
+}
+
+TEST_CASE("a pill does not go back to a place outside that it has just left, as long as there is one inside") {
+  FrontOfBox stage;
+  const Parameter parameter{.name = "Attic", .title = "Attic", .type = ParameterType::kBool};
+  const Annotation annotation = annotated(HandleType::kBoolean, Orient::kUp, Slip::kBillboard);
+  History history{0};
+  PlacedHandle placed;
+  const auto place = [&](std::initializer_list<Box2> taken) {
+    stage.landed.clear();
+    for (const Box2& box : taken) stage.landed.addLabel(box);
+    history.age();
+    REQUIRE_FALSE(placePill({0, parameter, annotation, stage.scopes, 1, history, true}, stage.context(), placed));
+    history.choose(placed.identity, -1);
+    return placed.identity;
+  };
+  const auto onlyAbove = [&] { return place({{{0, 0}, {445, 374}}, {{555, 0}, {1000, 374}}, {{0, 380}, {295, 1000}}, {{705, 380}, {1000, 1000}}, {{0, 630}, {1000, 1000}}}); };
+  const Identity above = place({});
+  REQUIRE(placed.box.max.y < 375);
+  const Identity elsewhere = place({{{0, 0}, {1000, 374}}});
+  REQUIRE(placed.placement == PlacementKind::kOutside);
+  REQUIRE(elsewhere != above);
+  for (int frame = 0; frame < kReturnFrames; ++frame) {
+    onlyAbove();
+    INFO("frame " << frame);
+    REQUIRE(placed.placement == PlacementKind::kInside);
+  }
+  for (int frame = 0; frame < kPatienceFrames; ++frame) onlyAbove();
+  CHECK(onlyAbove() == above);
+}
+
 TEST_CASE("inside the model a pill stays with its scope, though another one's is nearer to where it wants to be") {
   FrontOfBox stage;
   stage.scene.scopes.push_back({"Box", 1, boxAt({-4, -3, -3}, {8, 5, 6})});
