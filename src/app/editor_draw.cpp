@@ -4,6 +4,7 @@
 #include "app/editor_state.h"
 #include "app/stopwatch.h"
 #include "editing/arc_projection.h"
+#include "render/overlay_line.h"
 
 namespace dimline {
 

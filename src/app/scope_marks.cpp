@@ -1,5 +1,7 @@
 #include "app/scope_marks.h"
 
+#include "render/overlay_line.h"
+
 namespace dimline {
 
 void addEdges(const Obb& box, const View& view, const ScopeMark& mark, std::vector<OverlayEdge>& edges) {

@@ -8,18 +8,13 @@
 #include <glm/vec2.hpp>
 
 #include "editing/drag_marks.h"
-#include "math/camera.h"
-#include "model/scene.h"
-#include "placement/layout.h"
+#include "math/geometry.h"
 #include "render/theme.h"
 
 namespace dimline {
 
 /// Window depths (View::windowDepth) of the two ends of something straight: the model hides what lies behind it.
 using EndDepths = glm::vec2;
-
-/// Those of a segment in the world once it is so much (m) nearer to the viewer; what is too near to be in the picture counts as nearest of all.
-EndDepths endDepths(const Segment& world, const View& view, double nearerM);
 
 /// Those of a line's extension lines: where they begin, where they bend, and where they end.
 struct ExtensionDepths {
@@ -113,10 +108,6 @@ struct OverlayShape {
   Kind kind = Kind::kStroke;
   std::uint32_t rgba = 0;        ///< sRGB, red in the lowest byte, opacity not multiplied in
 };
-
-/// A placed line as it is to be drawn at rest. A line inside the model, and extension lines, are hidden by what stands before them; where the base line is no
-/// edge of its scope it lies within, so that the scope does not count. The result refers to the line's polylines.
-OverlayLine overlayLine(const PlacedLine& line, const Scene& scene, const View& view);
 
 /// Turns an overlay into shapes, in drawing order: edges of scopes, all halos, then extension lines, legs and leaders, then a drag's marks, then lines, arcs and their ends. Replaces the contents of
 /// `shapes`; allocates only when it grows. What is invisible or not finite is left out.

@@ -14,7 +14,7 @@
 #include "render/drawing_lines.h"
 #include "render/edge_lines.h"
 #include "render/model_picture.h"
-#include "render/overlay.h"
+#include "render/overlay_line.h"
 #include "render/tone_regions.h"
 
 namespace dimline {

@@ -1,4 +1,4 @@
-#include "render/overlay.h"
+#include "render/overlay_line.h"
 
 #include <cmath>
 #include <limits>

@@ -5,6 +5,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "render/overlay_line.h"
 #include "silhouette/coverage_mask.h"
 #include "support/scenes.h"
 #include "support/village.h"
