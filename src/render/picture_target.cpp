@@ -49,7 +49,8 @@ void PictureTarget::resolve() const {
   if (!finished_) return;
   glBindFramebuffer(GL_READ_FRAMEBUFFER, drawn_.id());
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, finished_.id());
-  glBlitFramebuffer(0, 0, width_, height_, 0, 0, width_, height_, GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT, GL_NEAREST);
+  // One by one: a driver that should refuse the depths, which some are particular about, still gives the picture.
+  for (const GLbitfield buffer : {GL_COLOR_BUFFER_BIT, GL_DEPTH_BUFFER_BIT}) glBlitFramebuffer(0, 0, width_, height_, 0, 0, width_, height_, buffer, GL_NEAREST);
   // Nobody will look at the samples again; tile-based GPUs then need not write them out.
   const std::array<GLenum, 2> all{GL_COLOR_ATTACHMENT0, GL_DEPTH_ATTACHMENT};
   glInvalidateFramebuffer(GL_READ_FRAMEBUFFER, all.size(), all.data());
