@@ -6,13 +6,11 @@ flat in uint shapeKind;
 flat in vec4 shapeColor;
 uniform vec3 viewport;
 uniform highp sampler2D depths;  // of the picture below
+uniform float hiderReach;        // kHiderReachPx
 out vec4 premultiplied;
 
 // How much of a pixel, whose middle is at x and which is 1 wide, lies in [low, high].
 float overlap(float x, float low, float high) { return clamp(min(high, x + 0.5) - max(low, x - 0.5), 0.0, 1.0); }
-
-// px. What hides a line is at least twice as wide as this: a rope or a bar before it would only make it restless.
-const float kHiderReach = 2.5;
 
 // Whether the model is before the line here, and all around here.
 bool hidden() {
@@ -20,7 +18,7 @@ bool hidden() {
   vec2 size = viewport.xy * viewport.z;
   vec2 at = gl_FragCoord.xy / size;
   if (texture(depths, at).r >= depth) return false;
-  vec2 reach = vec2(kHiderReach * viewport.z) / size;
+  vec2 reach = vec2(hiderReach * viewport.z) / size;
   for (int i = 0; i < 8; ++i) {
     float turn = float(i) * 0.7854;
     if (texture(depths, at + reach * vec2(cos(turn), sin(turn))).r >= depth) return false;

@@ -121,7 +121,7 @@ struct PillPlace {
   std::size_t scope = 0;
   Vec2 anchor{0.0};
   Box2 box;
-  int way = -1;       ///< see identityOf
+  Identity identity;
   double score = 0;
 };
 
@@ -130,23 +130,22 @@ void offer(const PillPlace& place, std::optional<PillPlace>& best) {
 }
 
 double scoreOutside(const OtherHandle& handle, const OtherHandleContext& context, const PillPlace& place) {
-  const Identity identity = identityOf(handle, context.scopes[place.scope], place.way);
-  const Vec2 tip = place.box.center() - compass(place.way) * (0.5 * (place.box.max.y - place.box.min.y));
+  const Vec2 tip = place.box.center() - compass(place.identity.plane) * (0.5 * (place.box.max.y - place.box.min.y));
   const Segment2 anchor{place.anchor, place.anchor};
   const Landed::Crossings crossings = context.landed.crossings(anchor, anchor, {tip, tip});
   return score({.base = anchor,
                 .candidate = {place.box.center(), place.box.center()},
                 .align = handle.annotation.align,
-                .sameAsLastFrame = identity == handle.history.last(),
+                .sameAsLastFrame = place.identity == handle.history.last(),
                 .intersects = crossings.lines}) +
-         handle.history.bonus(identity) + (crossings.labels ? kScoreCoversLabel : 0.0);
+         handle.history.bonus(place.identity) + (crossings.labels ? kScoreCoversLabel : 0.0);
 }
 
 /// A place outside beats any inside, as for lines, but for one that was left a moment ago. What had no room, or was inside, waits until a better kind of place has been there for
 /// some frames; and while the camera comes nearer, what is inside stays there.
-std::optional<PillPlace> choose(const OtherHandle& handle, const OtherHandleContext& context, const std::optional<PillPlace>& inside, const std::optional<PillPlace>& outside) {
+std::optional<PillPlace> choose(const OtherHandle& handle, const std::optional<PillPlace>& inside, const std::optional<PillPlace>& outside) {
   History& history = handle.history;
-  const bool returns = outside && history.leftLately(identityOf(handle, context.scopes[outside->scope], outside->way));
+  const bool returns = outside && history.leftLately(outside->identity);
   const bool stays = history.wasInside() && handle.firm && handle.nearing;
   if (inside && (returns || stays)) return inside;
   const std::optional<PillPlace>& best = outside ? outside : inside;
@@ -236,24 +235,24 @@ std::optional<HiddenReason> placePill(const OtherHandle& handle, const OtherHand
     const Box2 atAnchor = shiftedInto(boxAround(anchor, size), context.view.viewport());
     if (const auto box = roomAround(atAnchor, context)) {
       const Identity identity = identityOf(handle, context.scopes[scope], -1);
-      offer({scope, anchor, *box, -1, handle.history.bonus(identity) - glm::length(box->center() - anchor)}, inside);
+      offer({scope, anchor, *box, identity, handle.history.bonus(identity) - glm::length(box->center() - anchor)}, inside);
     }
     if (handle.annotation.slip == Slip::kNone) continue;
     for (int way = 0; way < 8; ++way) {
       const auto box = roomTowards(atAnchor, compass(way), context);
       if (!box) continue;
-      PillPlace place{scope, anchor, *box, way};
+      PillPlace place{scope, anchor, *box, identityOf(handle, context.scopes[scope], way)};
       place.score = scoreOutside(handle, context, place);
       offer(place, outside);
     }
   }
-  const auto place = choose(handle, context, inside, outside);
+  const auto place = choose(handle, inside, outside);
   if (!place) return anchored ? HiddenReason::kCrowded : HiddenReason::kOutOfView;
   placed.scope = place->scope;
   placed.anchor = place->anchor;
   placed.box = place->box;
-  placed.placement = place->way < 0 ? PlacementKind::kInside : PlacementKind::kOutside;
-  placed.identity = identityOf(handle, context.scopes[place->scope], place->way);
+  placed.placement = place->identity.plane < 0 ? PlacementKind::kInside : PlacementKind::kOutside;
+  placed.identity = place->identity;
   placed.parameter = handle.parameter;
   placed.type = handle.annotation.type;
   placed.value = handle.value;

@@ -89,6 +89,10 @@ struct Overlay {
   std::span<const OverlayEdge> edges{};
 };
 
+/// px. The model hides a point of an overlay when it is before it there and at eight points in a circle of this radius around it. So what hides a line is at least twice as wide as
+/// this. Less: ropes and bars before a line make it restless. More: lines shine through narrow walls.
+inline constexpr double kHiderReachPx = 2.5;
+
 /// A stroke, an arrowhead or a dot, ready for the GPU, which draws it anti-aliased at device pixels.
 struct OverlayShape {
   enum class Kind : std::uint32_t {
@@ -102,7 +106,7 @@ struct OverlayShape {
   float halfWidthPx = 0.5F;      ///< an arrow's at its end
   float softnessPx = 0.0F;       ///< 0: as sharp as pixels allow; otherwise the outline fades over this width
   float dashPx = 0.0F;           ///< length of a dash and of the gap after it, counted from start; 0: solid
-  float hiddenShare = 1.0F;      ///< what is left of the opacity where the model hides it (see hidden, shaders/overlay.frag); 1: nothing hides it
+  float hiddenShare = 1.0F;      ///< what is left of the opacity where the model hides it (see kHiderReachPx); 1: nothing hides it
   glm::vec2 lean{0.0F};          ///< of a curve's piece: how far along its start and its end lie further on, for each px to the right of it
   EndDepths depths{0.0F};        ///< of start and end; meaningless when nothing hides it
   Kind kind = Kind::kStroke;

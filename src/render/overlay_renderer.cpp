@@ -33,6 +33,7 @@ Status OverlayRenderer::prepare() {
   if (Status status = program_.status(); !status) return status;
   viewport_ = program_.uniform("viewport");
   program_.bindSampler("depths", 0);
+  glUniform1f(program_.uniform("hiderReach"), static_cast<float>(kHiderReachPx));
   return okStatus();
 }
 

@@ -34,8 +34,7 @@ struct Pen {
 };
 constexpr std::array<Pen, 4> kPens{{{1.6, "#2b3138"}, {0.9, "#3c444d"}, {0.6, "#59626c"}, {0.4, "#7d8791"}}};
 
-/// px. What hides a dimension line is at least twice as wide as this; it is looked for in steps of that length, at most so many.
-constexpr double kHiderReachPx = 2.5;
+/// px. What hides a dimension line is looked for in steps of this length along it, at most so many.
 constexpr double kHidingStepPx = 1.0;
 constexpr double kMostHidingSteps = 4096;
 
@@ -147,26 +146,30 @@ std::vector<OverlayShape> overlayOf(const Scene& scene, const Layout& layout) {
   return shapes;
 }
 
-/// Whether the model is before a stroke there and all around there, as shaders/overlay.frag judges it.
+/// Whether the model hides a stroke at that share of its length; shaders/overlay.frag judges the same.
 bool hiddenAt(const OverlayShape& stroke, double share, const View& view, const ModelPicture& picture) {
   const double windowDepth = glm::mix(static_cast<double>(stroke.depths.x), static_cast<double>(stroke.depths.y), share);
   const double nearness = nearnessOf(view, view.depthFromWindow(windowDepth));
   const Vec2 at = glm::mix(Vec2(stroke.startPx), Vec2(stroke.endPx), share);
-  for (const int dy : {-1, 0, 1}) {
-    for (const int dx : {-1, 0, 1}) {
-      const Vec2 sample = glm::floor((at + Vec2(dx, dy) * kHiderReachPx) * picture.samplesPerPx);
-      const int x = static_cast<int>(std::clamp(sample.x, 0.0, picture.width - 1.0));
-      const int y = static_cast<int>(std::clamp(sample.y, 0.0, picture.height - 1.0));
-      const std::size_t i = picture.at(x, y);
-      if (picture.seen[i] == ModelPicture::kNothing || static_cast<double>(picture.nearness[i]) <= nearness) return false;
-    }
+  const auto hides = [&](const Vec2& p) {
+    const Vec2 sample = glm::floor(p * picture.samplesPerPx);
+    const int x = static_cast<int>(std::clamp(sample.x, 0.0, picture.width - 1.0));
+    const int y = static_cast<int>(std::clamp(sample.y, 0.0, picture.height - 1.0));
+    const std::size_t i = picture.at(x, y);
+    return picture.seen[i] != ModelPicture::kNothing && static_cast<double>(picture.nearness[i]) > nearness;
+  };
+  bool hidden = hides(at);
+  for (int i = 0; i < 8 && hidden; ++i) {
+    const double turnRad = i * 45.0 * kRadPerDeg;
+    hidden = hides(at + Vec2(std::cos(turnRad), std::sin(turnRad)) * kHiderReachPx);
   }
-  return true;
+  return hidden;
 }
 
-/// Cuts a stroke where the model begins or ends to hide it, and runs emit(piece) over what is left, each as opaque as it shows.
+/// Cuts a stroke where the model begins or ends to hide it, and runs emit(piece) over what is left, each as opaque as it shows; over the whole shape when nothing can hide it.
 template <typename Emit>
 void eachShownPiece(const OverlayShape& stroke, const View& view, const ModelPicture& picture, Emit emit) {
+  if (!(stroke.hiddenShare < 1.0F)) return emit(stroke);
   const double steps = std::clamp(std::ceil(glm::length(Vec2(stroke.endPx) - Vec2(stroke.startPx)) / kHidingStepPx), 1.0, kMostHidingSteps);
   const auto hiddenIn = [&](double step) { return hiddenAt(stroke, (step + 0.5) / steps, view, picture); };
   for (double from = 0; from < steps;) {
@@ -239,13 +242,7 @@ void writeOverlay(const Scene& scene, const Layout& layout, const ModelPicture& 
     if (found == paths.end()) found = paths.insert(paths.end(), {look, {}, {}});
     appendShape(shape, static_cast<double>(reachPx), *found);
   };
-  for (const OverlayShape& shape : overlayOf(scene, layout)) {
-    if (shape.hiddenShare < 1.0F) {
-      eachShownPiece(shape, layout.view, picture, write);
-    } else {
-      write(shape);
-    }
-  }
+  for (const OverlayShape& shape : overlayOf(scene, layout)) eachShownPiece(shape, layout.view, picture, write);
   for (const LookPath& path : paths) {
     const Look& look = path.look;
     const std::uint32_t rgb = (look.rgba & 0xFFU) << 16U | (look.rgba & 0xFF00U) | (look.rgba >> 16U & 0xFFU);

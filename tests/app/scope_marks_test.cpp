@@ -11,9 +11,7 @@ namespace {
 
 /// Straight before the origin, 20 m away: 100 px a metre there.
 View straightView() {
-  Camera camera;
-  camera.eye = {0, 2, 20};
-  camera.target = {0, 2, 0};
+  Camera camera = orbitCamera({0, 2, 0}, 20, 0, 0);
   camera.orthoHeightM = 8;
   Bounds bounds;
   bounds.add({-4, 0, -4});

@@ -47,6 +47,28 @@ struct FrontOfBox {
   [[nodiscard]] OtherHandleContext context() const { return {view, padded, landed, scene.scopes}; }
 };
 
+/// A switch on the box's roof over frames that know of each other.
+struct AtticSwitch {
+  FrontOfBox stage;
+  Parameter parameter{.name = "Attic", .title = "Attic", .type = ParameterType::kBool};
+  Annotation outside = annotated(HandleType::kBoolean, Orient::kUp, Slip::kBillboard);
+  Annotation inside = annotated(HandleType::kBoolean, Orient::kUp, Slip::kNone);
+  History history{0};
+  PlacedHandle placed;
+
+  std::optional<HiddenReason> place(const Annotation& annotation, bool firm, bool nearing = false) {
+    const auto missing = placePill({0, parameter, annotation, stage.scopes, 1, history, firm, nearing}, stage.context(), placed);
+    missing ? history.choseNone(true) : history.choose(placed.identity, -1);
+    return missing;
+  }
+  /// The same in a frame of a camera that moves, which finds a place.
+  PlacementKind placeMoving(const Annotation& annotation, bool firm, bool nearing = false) {
+    history.age();
+    REQUIRE_FALSE(place(annotation, firm, nearing));
+    return placed.placement;
+  }
+};
+
 }  // namespace
 
 TEST_CASE("the least shift of a box out of the model, worked out by hand") {
@@ -125,89 +147,56 @@ TEST_CASE("pills keep clear of what has landed") {
 }
 
 TEST_CASE("a pill that had no room or was inside waits until a better kind of place has been there for a while") {
-  FrontOfBox stage;
-  const Parameter parameter{.name = "Attic", .title = "Attic", .type = ParameterType::kBool};
-  const Annotation outside = annotated(HandleType::kBoolean, Orient::kUp, Slip::kBillboard);
-  const Annotation inside = annotated(HandleType::kBoolean, Orient::kUp, Slip::kNone);
-  History history{0};
-  PlacedHandle placed;
-  const auto place = [&](const Annotation& annotation, bool firm) {
-    const auto missing = placePill({0, parameter, annotation, stage.scopes, 1, history, firm}, stage.context(), placed);
-    missing ? history.choseNone(true) : history.choose(placed.identity, -1);
-    return missing;
-  };
-  history.choseNone(true);
+  AtticSwitch attic;
+  attic.history.choseNone(true);
   for (int frame = 0; frame < kPatienceFrames; ++frame) {
-    history.age();
-    REQUIRE(place(outside, true) == HiddenReason::kCrowded);
+    attic.history.age();
+    REQUIRE(attic.place(attic.outside, true) == HiddenReason::kCrowded);
   }
-  history.age();
-  REQUIRE_FALSE(place(outside, true));
-  CHECK(placed.placement == PlacementKind::kOutside);
+  CHECK(attic.placeMoving(attic.outside, true) == PlacementKind::kOutside);
 
-  history.choseNone();                    // its feature was out of sight
-  history.age();
-  REQUIRE_FALSE(place(outside, true));
-  CHECK(placed.placement == PlacementKind::kOutside);
+  attic.history.choseNone();                    // its feature was out of sight
+  CHECK(attic.placeMoving(attic.outside, true) == PlacementKind::kOutside);
 
-  history = History(0);
-  REQUIRE_FALSE(place(inside, true));
-  history.age();
-  REQUIRE_FALSE(place(outside, true));
-  CHECK(placed.placement == PlacementKind::kInside);
-  REQUIRE_FALSE(place(outside, false));   // after an edit nothing waits
-  CHECK(placed.placement == PlacementKind::kOutside);
+  attic.history = History(0);
+  REQUIRE_FALSE(attic.place(attic.inside, true));
+  CHECK(attic.placeMoving(attic.outside, true) == PlacementKind::kInside);
+  REQUIRE_FALSE(attic.place(attic.outside, false));   // after an edit nothing waits
+  CHECK(attic.placed.placement == PlacementKind::kOutside);
 }
 
 TEST_CASE("while the camera comes nearer a pill stays inside, however long there is a place outside") {
-  FrontOfBox stage;
-  const Parameter parameter{.name = "Attic", .title = "Attic", .type = ParameterType::kBool};
-  const Annotation outside = annotated(HandleType::kBoolean, Orient::kUp, Slip::kBillboard);
-  const Annotation inside = annotated(HandleType::kBoolean, Orient::kUp, Slip::kNone);
-  History history{0};
-  PlacedHandle placed;
-  const auto place = [&](const Annotation& annotation, bool firm, bool nearing) {
-    history.age();
-    REQUIRE_FALSE(placePill({0, parameter, annotation, stage.scopes, 1, history, firm, nearing}, stage.context(), placed));
-    history.choose(placed.identity, -1);
-    return placed.placement;
-  };
-  place(inside, true, false);
-  for (int frame = 0; frame < 3 * kPatienceFrames; ++frame) REQUIRE(place(outside, true, true) == PlacementKind::kInside);
+  AtticSwitch attic;
+  attic.placeMoving(attic.inside, true);
+  for (int frame = 0; frame < 3 * kPatienceFrames; ++frame) REQUIRE(attic.placeMoving(attic.outside, true, true) == PlacementKind::kInside);
   // Then it waits as ever.
-  for (int frame = 0; frame < kPatienceFrames; ++frame) REQUIRE(place(outside, true, false) == PlacementKind::kInside);
-  CHECK(place(outside, true, false) == PlacementKind::kOutside);
+  for (int frame = 0; frame < kPatienceFrames; ++frame) REQUIRE(attic.placeMoving(attic.outside, true) == PlacementKind::kInside);
+  CHECK(attic.placeMoving(attic.outside, true) == PlacementKind::kOutside);
   // One that is outside stays there, and after an edit nothing waits.
-  CHECK(place(outside, true, true) == PlacementKind::kOutside);
-  place(inside, true, false);
-  for (int frame = 0; frame < kReturnFrames; ++frame) place(inside, true, false);
-  CHECK(place(outside, false, true) == PlacementKind::kOutside);
+  CHECK(attic.placeMoving(attic.outside, true, true) == PlacementKind::kOutside);
+  attic.placeMoving(attic.inside, true);
+  for (int frame = 0; frame < kReturnFrames; ++frame) attic.placeMoving(attic.inside, true);
+  CHECK(attic.placeMoving(attic.outside, false, true) == PlacementKind::kOutside);
 }
 
 TEST_CASE("a pill does not go back to a place outside that it has just left, as long as there is one inside") {
-  FrontOfBox stage;
-  const Parameter parameter{.name = "Attic", .title = "Attic", .type = ParameterType::kBool};
-  const Annotation annotation = annotated(HandleType::kBoolean, Orient::kUp, Slip::kBillboard);
-  History history{0};
-  PlacedHandle placed;
+  AtticSwitch attic;
   const auto place = [&](std::initializer_list<Box2> taken) {
-    stage.landed.clear();
-    for (const Box2& box : taken) stage.landed.addLabel(box);
-    history.age();
-    REQUIRE_FALSE(placePill({0, parameter, annotation, stage.scopes, 1, history, true}, stage.context(), placed));
-    history.choose(placed.identity, -1);
-    return placed.identity;
+    attic.stage.landed.clear();
+    for (const Box2& box : taken) attic.stage.landed.addLabel(box);
+    attic.placeMoving(attic.outside, true);
+    return attic.placed.identity;
   };
   const auto onlyAbove = [&] { return place({{{0, 0}, {445, 374}}, {{555, 0}, {1000, 374}}, {{0, 380}, {295, 1000}}, {{705, 380}, {1000, 1000}}, {{0, 630}, {1000, 1000}}}); };
   const Identity above = place({});
-  REQUIRE(placed.box.max.y < 375);
+  REQUIRE(attic.placed.box.max.y < 375);
   const Identity elsewhere = place({{{0, 0}, {1000, 374}}});
-  REQUIRE(placed.placement == PlacementKind::kOutside);
+  REQUIRE(attic.placed.placement == PlacementKind::kOutside);
   REQUIRE(elsewhere != above);
   for (int frame = 0; frame < kReturnFrames; ++frame) {
     onlyAbove();
     INFO("frame " << frame);
-    REQUIRE(placed.placement == PlacementKind::kInside);
+    REQUIRE(attic.placed.placement == PlacementKind::kInside);
   }
   for (int frame = 0; frame < kPatienceFrames; ++frame) onlyAbove();
   CHECK(onlyAbove() == above);

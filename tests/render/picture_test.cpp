@@ -399,13 +399,11 @@ TEST_CASE("a reduced picture of a model that nothing is known of has rough light
 }
 
 TEST_CASE("what the model hides of a line is faint, whatever the picture's quality and pixel ratio; a bar does not hide it") {
-  // Straight before the box, 20 px a metre, and 16 px a metre further to the left a bar of 0.15 m.
+  // Seen straight from the front, 20 px a metre: the box, and to its left a bar of 3 px.
   Scene scene = boxOnGround();
   test::addBox(scene, test::boxAt({-7, 0, 2}, {0.15, 5, 0.15}));
   finish(scene);
-  Camera camera;
-  camera.eye = {0, 2.5, 40};
-  camera.target = {0, 2.5, 0};
+  Camera camera = test::orbitCamera({0, 2.5, 0}, 40, 0, 0);
   camera.orthoHeightM = 12;
   const View view(camera, 320, 240, scene.bounds);
   const auto lineAt = [&](double z) {
@@ -413,7 +411,6 @@ TEST_CASE("what the model hides of a line is faint, whatever the picture's quali
     placed.placement = PlacementKind::kInside;
     placed.line = placed.base = {{-8, 1.52, z}, {8, 1.52, z}};
     placed.lineScreen = placed.baseScreen = view.toScreen(placed.line);
-    placed.scope = 0;
     return placed;
   };
   scene.scopes.push_back({"Box", 0, test::boxAt({-4, 0, -3}, {8, 5, 6})});
