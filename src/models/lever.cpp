@@ -277,7 +277,7 @@ std::vector<Parameter> leverParameters() {
   std::vector<Parameter> p(kLeverParameterCount);
   p[kKnobDiameter] = lengthParameter("KnobDiameter", "Knob diameter", {0.17, 0.12, 0.26, 0.01},
       {"Lever", "How thick the ball is that the hand takes hold of.",
-       "@Handle(scope=Knob, type=spherical-diametric, orient=horizontal, slip=billboard, align=top)"});
+       "@Handle(scope=Knob, type=spherical-diametric, orient=vertical, slip=billboard)"});
   p[kLeverAngle] = angleParameter("LeverAngle", "Lever angle", {58, 30, 100, 1},
       {"Lever", "How far the arm is raised from the level; the spring follows.",
        "@Handle(scope=Swing, type=angular, orient=front, slip=none)"});
