@@ -151,7 +151,9 @@ bool Chooser::chooseInside(const CandidateContext& candidates, const ChoiceConte
     c.score += (across.extensions ? kScoreAmissInside : 0.0) + (across.labels ? kScoreAmissInside : 0.0);
     if (context.lookAhead.runsIntoInside(c.lineScreen)) c.score += kScoreAmissInside;
   }
-  const auto rank = [&](const Candidate& c) { return std::pair(!landed.runsInto(c.lineScreen), c.score); };
+  // Who comes anew would have to wait with a base line that the picture's rim cuts off (Placer): a whole one comes first, where there is any.
+  const bool anew = candidates.history.shownAnew();
+  const auto rank = [&](const Candidate& c) { return std::tuple(!landed.runsInto(c.lineScreen), anew && isWhole(c.baseScreen, context.view), c.score); };
   const auto best = std::ranges::max_element(candidates_, {}, rank);
   cramped_ = landed.runsInto(best->lineScreen);
   winner_ = *best;

@@ -96,6 +96,27 @@ TEST_CASE("inside the model, a line that is cut off comes when it has had room f
   CHECK(other.find("Width") != nullptr);
 }
 
+TEST_CASE("inside the model, a line that comes takes a whole base line at once rather than wait with a longer one that is cut off, and keeps it before a still camera") {
+  ModelDefinition definition = wallWithMast();
+  definition.build = [](const Values&) {
+    return sceneOf({{"Wall", boxAt({-20, -10, -1}, {40, 20, 1})}, {"Plate", boxAt({-3, 0.5, 0}, {6, 0.2, 0.1})}, {"Plate", boxAt({-0.5, -0.5, 0}, {1, 0.2, 0.1})}});
+  };
+  Stage stage(definition);
+  stage.look(straightAt(14, kSeenM));
+  REQUIRE(stage.find("Width") == nullptr);
+  for (int frame = 0; frame < 3; ++frame) {
+    stage.look(straightAt(0, kSeenM));
+    REQUIRE(stage.find("Width") != nullptr);
+    CHECK(stage.find("Width")->placement == PlacementKind::kInside);
+    CHECK(stage.find("Width")->baseScreen.length() < 0.5 * stage.layout.view.viewport().max.x);
+  }
+  // Who has been there from the start may as well be on the longer one.
+  Stage fresh(definition);
+  fresh.look(straightAt(0, kSeenM));
+  REQUIRE(fresh.find("Width") != nullptr);
+  CHECK(fresh.find("Width")->baseScreen.length() > fresh.layout.view.viewport().max.x);
+}
+
 TEST_CASE("inside the model, lines lie on edges that are seen rather than behind it") {
   ModelDefinition definition = boxWithDoor();
   for (Parameter& parameter : definition.parameters) parameter.annotation.replace(parameter.annotation.find("slip="), std::string::npos, "slip=none)");
