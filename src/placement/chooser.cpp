@@ -8,12 +8,6 @@
 
 namespace dimline {
 
-namespace {
-
-auto orderOf(const Identity& i) { return std::tie(i.chain, i.scopeIndex, i.baseLine, i.plane, i.direction); }
-
-}  // namespace
-
 bool Chooser::choose(const Measured& measured, const ChoiceContext& context, const History& history) {
   cramped_ = false;
   // A chain moves as a whole, so of its members' base lines it is enough to know that there is one, unless they have to stand for themselves.
@@ -84,13 +78,9 @@ bool Chooser::chooseOutside(std::span<const UsableBaseLine> bases, const Measure
   for (const auto gather : {gatherGuideCandidates, gatherOutsideCandidates}) {
     candidates_.clear();
     for (const UsableBaseLine& base : bases) gather(candidates, base, candidates_);
-    // Equal scores are ordered by identity, so that the same frame always gives the same layout.
     ranked_.clear();
-    for (Candidate& candidate : candidates_) ranked_.push_back(&candidate);
-    std::ranges::sort(ranked_, [](const Candidate* a, const Candidate* b) {
-      if (a->secondOffset != b->secondOffset) return b->secondOffset;
-      return a->score != b->score ? a->score > b->score : orderOf(a->identity) < orderOf(b->identity);
-    });
+    for (const Candidate& candidate : candidates_) ranked_.push_back({-candidate.score, static_cast<std::uint32_t>(ranked_.size())});
+    sortKeys(ranked_);
     if (chooseBest(measured, context, candidates.history)) return true;
   }
   return false;
@@ -102,31 +92,34 @@ bool Chooser::chooseBest(const Measured& measured, const ChoiceContext& context,
   bool found = false;
   bool firstOffsetFailed = false;
   double bestScore = 0;
-  for (Candidate* const ranked : ranked_) {
-    Candidate& candidate = *ranked;
-    // The second offset comes last, whatever its score.
-    if (candidate.secondOffset ? !firstOffsetFailed : found && bestScore >= candidate.score) continue;
-    const auto beaten = [&](double score) { return found && bestScore >= score; };
-    const auto inPlace = [&] { return Trial::amongOthers(candidate, context, found ? bestScore : -std::numeric_limits<double>::infinity()); };
-    Trial::AmongOthers among = inPlace();
-    if (beaten(among.score)) continue;
-    const Segment2 triedAt = candidate.lineScreen;
-    if (!trial_.settle(candidate, measured, context)) {
-      firstOffsetFailed = firstOffsetFailed || candidate.hasSecondOffset;
-      continue;
+  // The second offsets come last, whatever their scores.
+  for (const bool second : {false, true}) {
+    for (const SortKey& key : ranked_) {
+      Candidate& candidate = candidates_[key.index];
+      if (candidate.secondOffset != second) continue;
+      if (second ? !firstOffsetFailed : found && bestScore >= candidate.score) continue;
+      const auto beaten = [&](double score) { return found && bestScore >= score; };
+      const auto inPlace = [&] { return Trial::amongOthers(candidate, context, found ? bestScore : -std::numeric_limits<double>::infinity()); };
+      Trial::AmongOthers among = inPlace();
+      if (beaten(among.score)) continue;
+      const Segment2 triedAt = candidate.lineScreen;
+      if (!trial_.settle(candidate, measured, context)) {
+        firstOffsetFailed = firstOffsetFailed || candidate.hasSecondOffset;
+        continue;
+      }
+      // Its label may have pushed it to where it runs into more.
+      if (candidate.lineScreen.start != triedAt.start) among = inPlace();
+      if (trial_.lines().size() > 1) trial_.addMembers(among, context);
+      trial_.pushClear(candidate, among, measured, context, history);
+      if (beaten(among.score)) continue;
+      // The padded fields know nothing of lines inside the model.
+      if (among.landed.lines && context.occupied.landed().runsInto(candidate.lineScreen)) continue;
+      found = true;
+      bestScore = among.score;
+      winner_ = candidate;
+      winnerAmongOthers_ = among;
+      trial_.swapLines(winnerLines_);
     }
-    // Its label may have pushed it to where it runs into more.
-    if (candidate.lineScreen.start != triedAt.start) among = inPlace();
-    if (trial_.lines().size() > 1) trial_.addMembers(among, context);
-    trial_.pushClear(candidate, among, measured, context, history);
-    if (beaten(among.score)) continue;
-    // The padded fields know nothing of lines inside the model.
-    if (among.landed.lines && context.occupied.landed().runsInto(candidate.lineScreen)) continue;
-    found = true;
-    bestScore = among.score;
-    winner_ = candidate;
-    winnerAmongOthers_ = among;
-    trial_.swapLines(winnerLines_);
   }
   return found;
 }

@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include "core/sort_keys.h"
 #include "placement/trial.h"
 
 namespace dimline {
@@ -44,7 +45,7 @@ class Chooser {
   std::vector<UsableBaseLine> bases_;
   std::vector<UsableBaseLine> chainBases_;
   std::vector<Candidate> candidates_;
-  std::vector<Candidate*> ranked_;          ///< candidates_, the best first
+  std::vector<SortKey> ranked_;             ///< candidates_, the best first; of equal scores the one that was gathered first
   std::vector<SlipPlane> slipPlanes_;
 };
 

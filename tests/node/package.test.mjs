@@ -2,6 +2,7 @@
 import { test } from "node:test";
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
+import { brotliCompressSync, constants } from "node:zlib";
 import { createCore } from "../../web/core.js";
 
 const url = new URL("../../build/wasm/dimline.js", import.meta.url);
@@ -78,4 +79,10 @@ test("the page's head names every module that the page runs, so that none is ask
   const html = readFileSync(new URL("index.html", kWeb), "utf8");
   const preloaded = [...html.matchAll(/<link rel="modulepreload" href="([^"]+)">/g)].map(([, href]) => href);
   assert.deepEqual(preloaded.filter((href) => !href.startsWith("build/")).sort(), [...needed].filter((name) => name !== "page.js").sort());
+});
+
+test("what every page fetches of the core is at most 300 kB, compressed", () => {
+  const wasm = readFileSync(new URL("../../build/wasm/dimline.wasm", import.meta.url));
+  const { byteLength } = brotliCompressSync(wasm, { params: { [constants.BROTLI_PARAM_QUALITY]: 11, [constants.BROTLI_PARAM_LGWIN]: 24 } });
+  assert.ok(byteLength <= 300_000, `dimline.wasm is ${byteLength} bytes`);
 });
