@@ -190,8 +190,7 @@ void Editor::State::animate(const View& view) {
   // scopes that are no more.
   if (!placedOnce || !placedInScene) return;
   const bool wasAtRest = animator.atRest() && handleAnimator.atRest();
-  const bool sameAsDrawn = drawn.view.viewProjection() == view.viewProjection() &&
-                           drawn.view.widthPx() == view.widthPx() && drawn.view.heightPx() == view.heightPx();
+  const bool sameAsDrawn = samePicture(drawn.view, view);
   Layout none;
   none.view = placed.view;
   const Layout& shown = linesShown ? placed : none;

@@ -25,7 +25,8 @@ constexpr std::string_view kHelp =
     "  --extremes        also the orbits at each parameter's least and greatest value\n"
     "  --flights N       also N random flights: round the model, into it and back; all kinds of lens and viewport\n"
     "  --worst K         lists the K gravest cases under each row that misses its aim\n"
-    "  --svg FOLDER      with --worst: also writes the drawings of those cases, FOLDER/orbits-flicker-1.svg and so on\n"
+    "  --svg FOLDER      with --worst: also writes the drawings of those cases, FOLDER/orbits-flicker-1.svg and so on;\n"
+    "                    of all models each in a folder of its name\n"
     "  --json            an array of objects in place of the tables\n";
 
 constexpr OptionRule kRules[] = {{"--set", OptionRule::Kind::kRepeatable, "NAME=VALUE"},
@@ -132,7 +133,8 @@ Outcome auditOne(std::string_view name, const AuditOptions& options, JsonWriter&
   if (!values) return badInput(values.error());
   const std::vector<AuditPart> parts = auditModel(*model, *values, options.plan, streams.err);
   if (options.svgFolder) {
-    if (Status status = drawWorst(*model, parts, options.worst, *options.svgFolder); !status)
+    const std::string folder = options.model == "all" ? *options.svgFolder + "/" + std::string(name) : *options.svgFolder;
+    if (Status status = drawWorst(*model, parts, options.worst, folder); !status)
       return badInput(status.error());
   }
   if (options.json) {

@@ -108,7 +108,7 @@ Flight randomFlight(const Bounds& bounds, std::uint64_t number) {
   const double turn = dice.between(0, 1) < 0.5 ? 1.0 : -1.0;
   Camera lens;
   lens.fovRad = 0.2 * std::pow(500.0, dice.between(0, 1)) * kRadPerDeg;
-  if (number % 3 == 2) lens.orthoHeightM = 1;
+  if ((number + number / kViewports.size()) % 3 == 2) lens.orthoHeightM = 1;  // in each viewport by turns
   const Camera start = fittedFromEverywhere(bounds, elevationDeg, lens, flight.widthPx, flight.heightPx);
   const std::string name =
       "flight " + std::to_string(number) + " " + formatFixed(flight.widthPx, 0) + "x" +

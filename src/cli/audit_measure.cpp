@@ -16,7 +16,6 @@ constexpr double kLeastGapPx = 29.5;
 constexpr double kOffsetOffence = 1.5;
 constexpr double kLengthsDiffer = 0.01;
 constexpr double kNearerPx = 1.0;
-constexpr double kCrowdedPx2 = 20000.0;
 
 std::string px(double value) { return formatFixed(value, 1) + " px"; }
 

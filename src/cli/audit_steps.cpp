@@ -159,6 +159,7 @@ void compareStill(const Model& model, const std::vector<Shown>& first, const std
   }
   for (const Shown& shown : second) {
     if (find(first, shown.identity) != first.end()) continue;
+    tally.judge(AuditRow::kStillCamera);
     tally.offend(AuditRow::kStillCamera, model.parameters()[shown.parameter].name, 0, name,
                  identityText(shown.identity, model.parameters()) + " comes");
   }

@@ -133,6 +133,10 @@ double View::metresPerPixelAt(const Vec3& p) const {
   return 2 * std::tan(camera_.fovRad * 0.5) * std::max(depth(p), nearM_) / heightPx_;
 }
 
+bool samePicture(const View& a, const View& b) {
+  return a.viewProjection() == b.viewProjection() && a.widthPx() == b.widthPx() && a.heightPx() == b.heightPx();
+}
+
 double turnBetween(const View& a, const View& b) { return std::acos(std::clamp(glm::dot(a.forward(), b.forward()), -1.0, 1.0)); }
 
 Camera threeQuarterView(const Bounds& bounds, double widthPx, double heightPx) {

@@ -85,6 +85,9 @@ class View {
   glm::dmat4x3 worldToPixels_{1.0};
 };
 
+/// Whether both show the same part of the world in viewports of the same size. The matrices alone know of the viewport's shape only.
+bool samePicture(const View& a, const View& b);
+
 /// The angle (rad) between two views' directions.
 double turnBetween(const View& a, const View& b);
 

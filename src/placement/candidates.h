@@ -92,7 +92,7 @@ void gatherChainBaseLines(const Cluster& cluster, std::int32_t number, const Vie
 void gatherGuideCandidates(const CandidateContext& context, const UsableBaseLine& base, std::vector<Candidate>& candidates);
 
 /// Adds the candidates of a base line outside the silhouette, up to two a plane (paper 4.1): slid to the least offset that clears the padded fields,
-/// within the viewport's margin.
+/// within the viewport's margin. The last frame's choice may have a second offset besides (Candidate::secondOffset).
 void gatherOutsideCandidates(const CandidateContext& context, const UsableBaseLine& base, std::vector<Candidate>& candidates);
 
 /// Adds the base line itself (algorithm 1, line 9), unless it would be shown anew for the last moments of its feature in the picture.

@@ -73,8 +73,8 @@ class Movement {
 void Foresight::begin(const std::optional<View>& before, const View& now, const Bounds& bounds, std::span<const ObjectPlane> objectPlanes, double toleranceM) {
   objectPlanes_ = objectPlanes;
   toleranceM_ = toleranceM;
-  if (!before) lookCount_ = 0;
-  if (!before || before->viewProjection() == now.viewProjection()) return;
+  if (!before) lookCount_ = briefCount_ = 0;
+  if (!before || samePicture(*before, now)) return;
   Movement movement(*before, now);
   const int looks = !movement.zooms() && !movement.turns() ? 0 : std::min(movement.zooms() ? kLooksAheadZooming : kLooksAheadTurning, movement.framesAhead());
   lookCount_ = static_cast<std::size_t>(looks);

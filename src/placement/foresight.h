@@ -24,7 +24,7 @@ class Foresight {
   };
 
   /// A frame begins. `before`: the view of the last frame, if there is one that this one follows from; when it is the same one, before a still camera, the movement is
-  /// thought to go on as it did. `bounds`: of the model, in metres.
+  /// thought to go on as it did. A movement that neither turns nor changes sizes, as a shift of the picture does, is not thought to go on. `bounds`: of the model, in metres.
   void begin(const std::optional<View>& before, const View& now, const Bounds& bounds, std::span<const ObjectPlane> objectPlanes, double toleranceM);
   /// What the movement will do to a place.
   struct Prospect {
@@ -36,7 +36,7 @@ class Foresight {
   [[nodiscard]] bool zooms() const { return lookCount_ > 0 && zooms_; }
   /// Whether the camera comes nearer.
   [[nodiscard]] bool nears() const { return zooms() && nears_; }
-  /// Of a place outside the model. Its price is 0 when nothing happens to it, and always while the view does not move; kScoreSoonGone when it is lost at the first look ahead, in equal steps less when
+  /// Of a place outside the model. Its price is 0 when nothing happens to it, and always when no movement is thought to go on; kScoreSoonGone when it is lost at the first look ahead, in equal steps less when
   /// later. A feature that turns away from the viewer costs kTurnedAwayShare of that. More of all when the camera comes nearer or goes away.
   [[nodiscard]] Prospect prospect(const Place& place);
   /// Of a base line inside the model, which is lost when nothing of it is left in the viewport. `whole`: both ends are in the picture now.
@@ -55,7 +55,7 @@ class Foresight {
   [[nodiscard]] double shareLeft(std::size_t look) const { return lookCount_ > 0 ? static_cast<double>(lookCount_ - look) / static_cast<double>(lookCount_) : 0.0; }
 
   std::vector<Look> looks_;         ///< the nearest first; memory for more than there are
-  std::size_t lookCount_ = 0;       ///< none when the view does not move
+  std::size_t lookCount_ = 0;       ///< none when no movement is thought to go on
   std::size_t briefCount_ = 0;      ///< how many of them come before what lasts is not brief
   double lossPrice_ = 0;            ///< px, of what is lost at the first look
   bool zooms_ = false;              ///< the movement comes nearer or goes away

@@ -23,7 +23,8 @@ enum class Facing : std::uint8_t { kNone, kFront, kBack };
 /// Why an annotated parameter shows no handle. Out of view: nothing of what it measures is in the picture, or a part only, and its line would run across others inside the model.
 enum class HiddenReason : std::uint8_t { kOccluded, kOutOfView, kTooShort, kForeshortened, kCrowded, kNoScope };
 
-/// What makes a candidate the same one in two frames (DESIGN.md section 4): for damping, animation and hysteresis.
+/// What makes a candidate the same one in two frames (DESIGN.md section 4): for damping, animation and hysteresis. Of a handle that is no line, `plane` is the direction in which it
+/// stands off its anchor, or in which an arc opens; `baseLine` and `direction` mean nothing.
 struct Identity {
   std::int32_t parameter = -1;
   std::int32_t scopeIndex = -1;   ///< among the scopes of the annotation's name; -1 for a chain as a whole
@@ -43,7 +44,7 @@ struct LineLook {
 /// One end of a line that can be dragged.
 struct Handle {
   bool atEnd = true;   ///< the moving end, or else the start
-  Vec2 screen{0.0};    ///< the arrowhead's tip (px)
+  Vec2 screen{0.0};    ///< the arrowhead's tip, or a pill's middle (px)
 };
 
 /// One dimension line as it is to be shown.

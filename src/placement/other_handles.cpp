@@ -260,8 +260,11 @@ std::optional<HiddenReason> placePill(const OtherHandle& handle, const OtherHand
   placed.arc.reset();
   placed.handles.clear();
   placed.handles.push_back({true, placed.box.center()});
-  placed.options.clear();
-  if (handle.annotation.type == HandleType::kRange) placeOptions(handle, context, placed);
+  if (handle.annotation.type == HandleType::kRange) {
+    placeOptions(handle, context, placed);
+  } else {
+    placed.options.clear();
+  }
   return std::nullopt;
 }
 

@@ -93,6 +93,7 @@ struct Placer::State {
   double toleranceM = 0;              ///< kSamePlaneDistance of its size
   std::vector<Measured> order;        ///< those with dimension lines, shortest first
   std::vector<Measured> others;       ///< those with other handles, in the order of their definition
+  std::size_t editable = 0;           ///< how many of both can be edited; the other ones are measures
   std::vector<ObjectPlane> objectPlanes;
 
   /// What is remembered of the frames before.
@@ -152,7 +153,7 @@ struct Placer::State {
   bool placeLines(std::size_t rank, const ChoiceContext& context, double value, Layout& layout);
   void judgeChoice(std::size_t rank, const History& history);
   void landChoice(const Measured& measured, double value, Layout& layout);
-  void landHeld(const PlacedLine& held, Layout& layout);
+  void landHeld(Measured& measured, const PlacedLine& held, Layout& layout);
   void placeOther(const Measured& measured, const View& view, double value, Layout& layout);
 };
 
@@ -167,7 +168,10 @@ void Placer::forget() {
   past.lookAhead.forget();
   past.mending = {};
   past.sights.clear();
+  past.held = false;
   past.view.reset();
+  past.crowded = 0;
+  past.crowdedFrames = kReturnFrames;
 }
 
 struct Placer::Memory::Content {
@@ -236,6 +240,7 @@ void Placer::setScene(const Model& model, const Scene& scene) {
     sortKeys(keys);
     for (const SortKey& key : keys) s.order.push_back(std::move(lines[key.index]));
   };
+  s.editable = byLength[0].size() + s.others.size();
   appendSorted(byLength[0]);
   s.objectPlanes = objectPlanes(fixedBaseLines(s.order, s.scopes), scene.bounds);
   appendSorted(byLength[1]);
@@ -307,10 +312,8 @@ void Placer::State::swapWithBest(Layout& layout) {
 /// Places everything, but as many of the shortest lines as have to go in a small viewport.
 void Placer::State::placeWithRoom(const FrameToPlace& frame, Layout& layout) {
   const View& view = frame.view;
-  const auto isMeasure = [&](const Measured& m) { return parameters[m.parameter].measure; };
-  const std::size_t all = order.size() + others.size() - static_cast<std::size_t>(std::ranges::count_if(order, isMeasure));
   const auto roomFor = static_cast<std::size_t>(std::ceil(view.widthPx() * view.heightPx() / kCrowdedPx2));
-  const std::size_t mostCrowded = showHidden || roomFor >= all ? 0 : std::min(all - roomFor, order.size());
+  const std::size_t mostCrowded = showHidden || roomFor >= editable ? 0 : std::min(editable - roomFor, order.size());
   std::size_t crowded = std::min(past.crowded, mostCrowded);
   // Now and then it is tried whether one that was hidden has room again.
   if (crowded > 0 && frame.viewMoved && past.crowdedFrames >= kReturnFrames) --crowded;
@@ -327,10 +330,13 @@ void Placer::State::placeWithRoom(const FrameToPlace& frame, Layout& layout) {
 
 /// Ages what is remembered. Returns whether the view has changed since the last frame.
 bool Placer::State::beginFrame(const View& view) {
-  const bool moved = !past.view || view.viewProjection() != past.view->viewProjection();
+  const bool moved = !past.view || !samePicture(view, *past.view);
+  // An offset of so many metres is another on screen in a viewport of another size.
+  const bool resized = past.view && (view.widthPx() != past.view->widthPx() || view.heightPx() != past.view->heightPx());
   past.view = view;
-  if (moved) {
-    for (History& history : past.histories) history.age();
+  for (History& history : past.histories) {
+    if (moved) history.age();
+    if (resized) history.forgetOffset();
   }
   return moved;
 }
@@ -355,13 +361,13 @@ bool Placer::State::placeAll(const FrameToPlace& frame, std::size_t crowded, Lay
   bool cramped = false;
   const ObjectPlanesInFrame object{objectPlanes, objectPlaneUses, toleranceM};
   for (std::size_t rank = 0; rank < order.size(); ++rank) {
-    const Measured& measured = order[rank];
+    Measured& measured = order[rank];
     past.lookAhead.reach(rank);
     const auto inHand = std::ranges::find(held, measured.parameter, &PlacedLine::parameter);
     const bool isHeld = inHand != held.end();
     if (isHeld) occupied.release(*inHand);
     if (isHeld && !(inHand->chain >= 0 && measured.scopes.size() > 1)) {
-      landHeld(*inHand, layout);
+      landHeld(measured, *inHand, layout);
       continue;
     }
     if (rank < crowded) {
@@ -372,15 +378,17 @@ bool Placer::State::placeAll(const FrameToPlace& frame, std::size_t crowded, Lay
       past.histories[measured.parameter].choseNone();
     } else {
       const Identity* avoid = avoided && avoided->rank == rank ? &avoided->place : nullptr;
-      cramped |= placeLines(rank,
-                            {view, fields, occupied, past.lookAhead, object, foresight, scopes, usableScopes(measured), object.toleranceM, viewMoved,
-                             firm, avoid, showHidden},
-                            values.at(measured.parameter), layout);
+      const bool runsInto = placeLines(rank,
+                                       {view, fields, occupied, past.lookAhead, object, foresight, scopes, usableScopes(measured), object.toleranceM, viewMoved,
+                                        firm, avoid, showHidden},
+                                       values.at(measured.parameter), layout);
+      // A measure takes no place from what can be edited.
+      cramped |= runsInto && !parameters[measured.parameter].measure;
     }
     if (isHeld) occupied.reserve(*inHand);
   }
   // Lines are bound to their planes; a switch finds a place nearly anywhere, so it takes what they leave.
-  const bool noPills = !showHidden && view.widthPx() * view.heightPx() < kPillsCrowdedPx2 * static_cast<double>(order.size() + others.size());
+  const bool noPills = !showHidden && view.widthPx() * view.heightPx() < kPillsCrowdedPx2 * static_cast<double>(editable);
   for (const Measured& other : others) {
     if (stays(other)) continue;
     if (noPills && other.annotation.type != HandleType::kAngular) {
@@ -526,13 +534,16 @@ void Placer::State::landChoice(const Measured& measured, double value, Layout& l
 }
 
 /// A line that is being dragged stays on its carrier, whatever this frame would have chosen for it.
-void Placer::State::landHeld(const PlacedLine& held, Layout& layout) {
+void Placer::State::landHeld(Measured& measured, const PlacedLine& held, Layout& layout) {
+  label(measured, parameters[held.parameter], held.value);
   past.histories[held.parameter].choose(held.identity, -1, away(held.baseScreen, held.lineScreen));
   int guide = -1;
   if (held.placement != PlacementKind::kInside) {
     guide = occupied.guides().through(held.line, held.plane, toleranceM);
     if (guide < 0) guide = occupied.addGuide(held.plane, held.line);
     past.lookAhead.note(held.parameter, held.base, held.foot, held.line);
+  } else {
+    past.lookAhead.noteInside(held.parameter, held.base);
   }
   PlacedLine& line = append(layout.lines, spareLines);
   line = held;

@@ -263,6 +263,19 @@ TEST_CASE("a camera that flies towards its target is followed, not through it") 
 }
 
 TEST_CASE("before a still camera the movement is thought to go on as it did; after a scene's edit it is not") {
+  Foresight turning;
+  const auto isBrief = [&] {
+    std::vector<SlipPlane> planes;
+    slipPlanes(edge(), Slip::kScope, turnedBy(75), {}, planes);
+    const BaseLine feature = edge();
+    return turning.prospect({feature, Slip::kScope, planes.front(), 1, 1.0, feature.segment}).brief;
+  };
+  turning.begin(turnedBy(65), turnedBy(75), boxBounds(), {}, 1e-3);
+  REQUIRE(isBrief());
+  turning.begin(turnedBy(75), turnedBy(75), boxBounds(), {}, 1e-3);
+  REQUIRE(isBrief());
+  turning.begin(std::nullopt, turnedBy(75), boxBounds(), {}, 1e-3);
+  CHECK_FALSE(isBrief());
   Foresight foresight;
   foresight.begin(seeing(10), seeing(9), boxBounds(), {}, 1e-3);
   foresight.begin(seeing(9), seeing(9), boxBounds(), {}, 1e-3);

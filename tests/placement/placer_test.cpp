@@ -390,15 +390,22 @@ TEST_CASE("what cannot be shown says why") {
 
 TEST_CASE("a camera inside the model gives a layout without a NaN") {
   Stage stage(boxWithDoor());
+  int lines = 0;
   for (double azimuth = 0; azimuth < 360; azimuth += 15) {
     Camera camera;
     camera.eye = {0.3, 1.6, 0.2};
     camera.target = orbitCamera(camera.eye, 1, azimuth, 10).eye;
     camera.fovRad = 1.2;
     for (const PlacedLine& line : stage.look(camera).lines) {
+      ++lines;
       CHECK(std::isfinite(line.lineScreen.start.x + line.lineScreen.start.y + line.lineScreen.end.x + line.lineScreen.end.y));
+      if (line.label) CHECK(std::isfinite(line.label->min.x + line.label->min.y + line.label->max.x + line.label->max.y));
+      for (const auto* extension : {&line.extensionStart, &line.extensionEnd}) {
+        for (const Vec2& point : *extension) CHECK(std::isfinite(point.x + point.y));
+      }
     }
   }
+  CHECK(lines > 0);
 }
 
 TEST_CASE("labels keep off an arc that stays in its scope's frame") {
@@ -496,6 +503,39 @@ TEST_CASE("while the camera turns, lines keep their places where frames on their
   }
   CHECK(changes > 0);
   CHECK(changes < changesOnTheirOwn);
+}
+
+TEST_CASE("in a viewport of another size, and the same shape, lines lie no further out than in one of that size from the start") {
+  Stage stage(boxWithDoor());
+  const Camera camera = orbitCamera({0, 2.5, 0}, 30, 35, 22);
+  stage.look(camera, 500, 500);
+  stage.look(camera, 1000, 1000);
+  Stage fresh(boxWithDoor());
+  fresh.look(camera, 1000, 1000);
+  REQUIRE(stage.layout.lines.size() == fresh.layout.lines.size());
+  REQUIRE_FALSE(fresh.layout.lines.empty());
+  for (const PlacedLine& line : fresh.layout.lines) {
+    INFO(fresh.nameOf(line));
+    REQUIRE(stage.find(fresh.nameOf(line)) != nullptr);
+    CHECK(glm::length(stage.find(fresh.nameOf(line))->lineScreen.end - line.lineScreen.end) < 1e-6);
+  }
+}
+
+TEST_CASE("who forgets, forgets as well how many lines were too many") {
+  const Camera camera = orbitCamera({0, 1.5, 0}, 9, 20, 12);
+  const auto hiddenIn = [](const Layout& layout) {
+    return std::ranges::count(layout.hidden, HiddenReason::kCrowded, &HiddenParameter::reason);
+  };
+  Stage fresh(boxWithDoor());
+  const auto ofItself = hiddenIn(fresh.look(camera, 240, 160));
+  std::ptrdiff_t most = 0;
+  for (double azimuth = 0; azimuth < 360; azimuth += 10) {
+    Stage stage(boxWithDoor());
+    most = std::max(most, hiddenIn(stage.look(orbitCamera({0, 1.5, 0}, 9, azimuth, 12), 240, 160)));
+    stage.placer.forget();
+    CHECK(hiddenIn(stage.look(camera, 240, 160)) == ofItself);
+  }
+  CHECK(most > ofItself);   // or nothing was there to be forgotten
 }
 
 TEST_CASE("in a viewport that is too small the shortest lines are hidden until none runs into another, and never in one that is not") {
