@@ -52,6 +52,7 @@ Status Editor::setModel(Model model) {
   s.dropGestures();
   s.continuing.reset();
   s.history.clear();
+  s.places.clear();
   s.beforeHidden = {};
   s.takeModel(std::move(model));
   s.values = Values(s.model.parameters());
@@ -88,9 +89,10 @@ void Editor::setValues(std::span<const std::pair<std::size_t, double>> changes) 
     assert(parameter < next.size());
     next.set(parameter, clampValue(s.model.parameters()[parameter], value));
   }
-  const Values before = s.values;
-  if (!s.assign(next)) return;
-  s.history.record(before);
+  if (next == s.values) return;
+  s.rememberPlaces();
+  s.history.record(s.values);
+  s.assign(next);
   s.notify(EditorEvent::kChange);
 }
 
@@ -98,7 +100,10 @@ void Editor::setValueContinuous(std::size_t parameter, double value) {
   State& s = *state_;
   assert(parameter < s.values.size());
   if (s.handleGesture) s.finishEdits();
-  if (!s.continuing) s.continuing = s.values;
+  if (!s.continuing) {
+    s.rememberPlaces();
+    s.continuing = s.values;
+  }
   Values next = s.values;
   next.set(parameter, clampValue(s.model.parameters()[parameter], value));
   s.assign(next);
@@ -111,15 +116,13 @@ void Editor::endContinuous() {
 void Editor::undo() {
   State& s = *state_;
   s.finishEdits();
-  const auto previous = s.history.undo(s.values);
-  if (previous && s.assign(*previous)) s.notify(EditorEvent::kChange);
+  s.step(s.history.undo(s.values));
 }
 
 void Editor::redo() {
   State& s = *state_;
   s.finishEdits();
-  const auto next = s.history.redo(s.values);
-  if (next && s.assign(*next)) s.notify(EditorEvent::kChange);
+  s.step(s.history.redo(s.values));
 }
 
 bool Editor::canUndo() const {
@@ -136,10 +139,27 @@ void Editor::State::notify(EditorEvent event) {
   events.push_back(event);
 }
 
+PlaceMemory::Picture Editor::State::picture() const { return {camera, widthPx, heightPx}; }
+
+/// Of the values as they are, unless nothing has been placed for them yet.
+void Editor::State::rememberPlaces() {
+  if (placedInScene && !sceneStale) places.remember(values, picture(), placer.memory());
+}
+
+/// Goes a step back or forward: to the values and, if nobody has turned the model since, to where all lines lay.
+void Editor::State::step(const std::optional<Values>& to) {
+  if (!to) return;
+  rememberPlaces();
+  if (!assign(*to)) return;
+  recall = places.placesOf(*to, picture());
+  notify(EditorEvent::kChange);
+}
+
 /// Makes `next` the present values. False when they are already.
 bool Editor::State::assign(const Values& next) {
   if (next == values) return false;
   values = next;
+  recall.reset();  // it was of other values
   sceneStale = true;
   notify(EditorEvent::kInput);
   return true;

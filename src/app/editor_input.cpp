@@ -188,7 +188,10 @@ bool Editor::State::takeHandle(const PointerInput& input) {
   catchUp();
   auto taken = takeHold(key, grabOffset, currentView());
   if (!taken) return false;
-  if (!handleGesture) handleGesture = HandleGesture{values, placer.memory(), {}};
+  if (!handleGesture) {
+    rememberPlaces();
+    handleGesture = HandleGesture{values, placer.memory(), {}};
+  }
   handleGesture->holds.push_back({input.id, input.kind, snapFor(input.modifiers), input.screen, std::move(*taken)});
   hoverAt.reset();
   updateHover();
@@ -260,10 +263,11 @@ void Editor::State::endHandleGesture() {
 
 void Editor::State::cancelHandleGesture() {
   const Values before = std::move(handleGesture->before);
-  recall = std::move(handleGesture->placedBefore);
+  Placer::Memory placedBefore = std::move(handleGesture->placedBefore);
   handleGesture.reset();
   viewStale = true;
   assign(before);
+  recall = std::move(placedBefore);
 }
 
 /// Marks what the pointer rests on, in the lines as they are now.

@@ -10,6 +10,7 @@
 #include "app/handle_gesture.h"
 #include "app/line_animator.h"
 #include "app/orbit_controls.h"
+#include "app/place_memory.h"
 #include "app/quality_governor.h"
 #include "app/scope_marks.h"
 #include "app/visibility_source.h"
@@ -65,6 +66,7 @@ struct Editor::State {
   Scene scene;
   bool sceneStale = false;  ///< values changed since `scene` was built
   UndoHistory history;
+  PlaceMemory places;  ///< of values before edits, and of those that were undone
   std::optional<Values> continuing;  ///< values before a continuous edit that has not ended
   std::vector<EditorEvent> events;
 
@@ -132,6 +134,9 @@ struct Editor::State {
   [[nodiscard]] View currentView() const { return {camera, widthPx, heightPx, scene.bounds}; }
   void notify(EditorEvent event);
   bool assign(const Values& next);
+  void step(const std::optional<Values>& to);
+  [[nodiscard]] PlaceMemory::Picture picture() const;
+  void rememberPlaces();
   void finishEdits();
   void moveCamera(const Camera& next);
   void openingCamera();

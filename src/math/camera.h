@@ -17,6 +17,7 @@ struct Camera {
   std::optional<double> orthoHeightM;  ///< world height of the viewport when orthographic, > 0
 
   [[nodiscard]] bool orthographic() const { return orthoHeightM.has_value(); }
+  bool operator==(const Camera&) const = default;
 };
 
 /// A readable error when a camera cannot be used: not finite, eye at the target, no height or angle. An `up` along the view is not an error.

@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "app/editor_stage.h"
+#include "models/models.h"
 
 using namespace dimline;
 using namespace dimline::test;
@@ -251,4 +252,53 @@ TEST_CASE("fields are measured on demand, by the producer that there is") {
   REQUIRE(stage.editor.fieldsMeasuredBy() == Editor::FieldsFrom::kCpu);
   stage.settle();
   REQUIRE(stage.editor.layout().lines.size() > 3);
+}
+
+TEST_CASE("undo and redo bring back where all lines lay, unless the model has been turned since") {
+  EditorStage stage(defineHouse(), 1280, 800);
+  const Layout before = stage.editor.layout();
+  const auto placesOf = [](const Layout& layout) {
+    std::vector<Identity> places;
+    for (const PlacedLine& line : layout.lines) places.push_back(line.identity);
+    return places;
+  };
+  // As many drags as it takes until lines have changed their places.
+  std::vector<Layout> steps{before};
+  for (const Vec2 by : {Vec2(-60, -18), Vec2(-120, -40), Vec2(80, 25)}) {
+    const Vec2 at = stage.handle("Width");
+    stage.drag(at, at + by);
+    stage.settle();
+    steps.push_back(stage.editor.layout());
+  }
+  REQUIRE(placesOf(steps.back()) != placesOf(before));
+  for (std::size_t i = steps.size() - 1; i-- > 0;) {
+    stage.editor.undo();
+    stage.settle();
+    CHECK(sameLayout(stage.editor.layout(), steps[i]));
+  }
+  for (std::size_t i = 1; i < steps.size(); ++i) {
+    stage.editor.redo();
+    stage.settle();
+    CHECK(sameLayout(stage.editor.layout(), steps[i]));
+  }
+  Camera turned = stage.editor.camera();
+  turned.eye.x += 3;
+  REQUIRE(stage.editor.setCamera(turned));
+  stage.settle();
+  stage.editor.undo();
+  stage.settle();
+  CHECK(stage.editor.values() != Values(stage.editor.model().parameters()));
+  CHECK_FALSE(sameLayout(stage.editor.layout(), steps[steps.size() - 2]));
+}
+
+TEST_CASE("two edits between frames are taken back to where lines lay before the first") {
+  EditorStage stage(defineHouse(), 1280, 800);
+  const Layout before = stage.editor.layout();
+  stage.set("Floors", 4);
+  stage.set("Width", 9);
+  stage.settle();
+  stage.editor.undo();
+  stage.editor.undo();
+  stage.settle();
+  CHECK(sameLayout(stage.editor.layout(), before));
 }
