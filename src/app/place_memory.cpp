@@ -7,7 +7,7 @@ namespace dimline {
 void PlaceMemory::remember(const Values& values, const Picture& picture, Placer::Memory places) {
   std::erase_if(entries_, [&](const Entry& entry) { return entry.values == values; });
   entries_.push_back({values, picture, std::move(places)});
-  if (entries_.size() > kMost) entries_.pop_front();
+  if (entries_.size() > kMost) entries_.erase(entries_.begin());
 }
 
 std::optional<Placer::Memory> PlaceMemory::placesOf(const Values& values, const Picture& picture) const {

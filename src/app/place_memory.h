@@ -1,7 +1,7 @@
 #pragma once
 
-#include <deque>
 #include <optional>
+#include <vector>
 
 #include "math/camera.h"
 #include "model/parameter.h"
@@ -33,7 +33,7 @@ class PlaceMemory {
     Picture picture;
     Placer::Memory places;
   };
-  std::deque<Entry> entries_;   ///< oldest first
+  std::vector<Entry> entries_;   ///< oldest first
 };
 
 }  // namespace dimline

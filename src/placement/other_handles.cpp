@@ -282,6 +282,16 @@ Arc arcAt(const Annotation& annotation, const Obb& scope, double angleRad, doubl
   return arc;
 }
 
+namespace {
+
+/// px on screen. By the default angle, so that the radius stays while the angle is dragged; of an angle of 0 the greatest.
+double leastArcRadiusPx(const Parameter& definition) {
+  const double angleRad = std::abs(definition.defaultValue) * kRadPerDeg;
+  return std::clamp(kArcMinLengthPx / std::max(angleRad, kArcMinLengthPx / kArcMaxRadiusPx), kArcMinRadiusPx, kArcMaxRadiusPx);
+}
+
+}  // namespace
+
 std::optional<HiddenReason> placeArc(const OtherHandle& handle, const OtherHandleContext& context, PlacedHandle& placed) {
   const std::string text = labelText(handle.definition, handle.value);
   const Vec2 labelSize = labelSizePx(text);
@@ -291,7 +301,7 @@ std::optional<HiddenReason> placeArc(const OtherHandle& handle, const OtherHandl
   for (const std::size_t scope : handle.scopes) {
     const Obb& box = context.scopes[scope].box;
     const double metresPerPx = context.view.metresPerPixelAt(box.origin);
-    const Arc home = arcAt(handle.annotation, box, handle.value * kRadPerDeg, kArcMinRadiusPx * metresPerPx, kArcMaxRadiusPx * metresPerPx);
+    const Arc home = arcAt(handle.annotation, box, handle.value * kRadPerDeg, leastArcRadiusPx(handle.definition) * metresPerPx, kArcMaxRadiusPx * metresPerPx);
     const double facingShare = std::abs(glm::dot(home.axis, context.view.directionTo(box.center())));
     if (facingShare < std::sin(kForeshortenedAngleRad * (handle.history.hidden() ? kShowAgainFactor : 1.0))) continue;
     facing = true;

@@ -252,6 +252,24 @@ TEST_CASE("an angular handle with slip none stays in its scope's frame, another 
   CHECK(clears(stage.padded, placed.box));
 }
 
+TEST_CASE("where the default angle is small an arc has a greater radius, as long as it does not dwarf the model") {
+  FrontOfBox stage;
+  Parameter parameter{.name = "Pitch", .title = "Pitch", .type = ParameterType::kAngle, .unit = Unit::kDegree, .max = 90};
+  const Annotation annotation = annotated(HandleType::kAngular, Orient::kFront, Slip::kNone);
+  // Of a scope so small that its size does not count.
+  stage.scene.scopes[0].box.size = Vec3(1e-3);
+  const auto radiusPx = [&](double deg) {
+    PlacedHandle placed;
+    parameter.defaultValue = deg;
+    REQUIRE_FALSE(placeArc({0, parameter, annotation, stage.scopes, 45, stage.none}, stage.context(), placed));
+    return placed.arc->radiusM / stage.view.metresPerPixelAt(stage.scene.scopes[0].box.origin);
+  };
+  CHECK(radiusPx(90) == Approx(kArcMinRadiusPx));
+  CHECK(radiusPx(20) * 20 * 3.14159265358979 / 180 == Approx(kArcMinLengthPx));
+  CHECK(radiusPx(5) == Approx(kArcMaxRadiusPx));
+  CHECK(radiusPx(0) == Approx(kArcMaxRadiusPx));
+}
+
 TEST_CASE("an arc seen edge-on is not shown") {
   FrontOfBox stage;
   const Parameter parameter{.name = "Pitch", .title = "Pitch", .type = ParameterType::kAngle, .unit = Unit::kDegree, .max = 90};
