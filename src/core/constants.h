@@ -71,11 +71,11 @@ inline constexpr double kPillHeightPx = 28.0;
 inline constexpr double kPillExtraWidthPx = 52.0;
 
 /// An arc's radius as a share of the smaller side of its scope across the axis, and its least and greatest on screen (px): smaller cannot be grabbed,
-/// larger dwarfs the model. Where the default angle is small the radius is greater, until the arc is so long (px): room for two arrowheads and a stroke between them.
+/// larger dwarfs the model. Where the default angle is small the radius is greater, until the arc is so long (px): enough to see which way it opens. Longer: arcs get in the way of lines.
 inline constexpr double kArcRadiusShare = 0.6;
 inline constexpr double kArcMinRadiusPx = 36.0;
 inline constexpr double kArcMaxRadiusPx = 140.0;
-inline constexpr double kArcMinLengthPx = 30.0;
+inline constexpr double kArcMinLengthPx = 18.0;
 
 /// px. Lines of features that share a corner touch there, and by rounding reach past each other a little, which nobody sees: they cross when they do by more.
 inline constexpr double kCrossingPx = 0.5;
