@@ -141,9 +141,11 @@ void Editor::State::notify(EditorEvent event) {
 
 PlaceMemory::Picture Editor::State::picture() const { return {camera, widthPx, heightPx}; }
 
-/// Of the values as they are, unless nothing has been placed for them yet.
-void Editor::State::rememberPlaces() {
-  if (placedInScene && !sceneStale) places.remember(values, picture(), placer.memory());
+/// What the placer remembers now; kept for the values as they are, unless nothing has been placed for them yet.
+Placer::Memory Editor::State::rememberPlaces() {
+  Placer::Memory memory = placer.memory();
+  if (placedInScene && !sceneStale) places.remember(values, picture(), memory);
+  return memory;
 }
 
 /// Goes a step back or forward: to the values and, if nobody has turned the model since, to where all lines lay.

@@ -188,10 +188,7 @@ bool Editor::State::takeHandle(const PointerInput& input) {
   catchUp();
   auto taken = takeHold(key, grabOffset, currentView());
   if (!taken) return false;
-  if (!handleGesture) {
-    rememberPlaces();
-    handleGesture = HandleGesture{values, placer.memory(), {}};
-  }
+  if (!handleGesture) handleGesture = HandleGesture{values, rememberPlaces(), {}};
   handleGesture->holds.push_back({input.id, input.kind, snapFor(input.modifiers), input.screen, std::move(*taken)});
   hoverAt.reset();
   updateHover();

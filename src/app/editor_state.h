@@ -106,7 +106,7 @@ struct Editor::State {
   struct BeforeHidden {
     Placer::Memory memory;
     Values values;
-    Mat4 viewProjection{0.0};
+    PlaceMemory::Picture picture;
   } beforeHidden;  ///< so that every line goes back where it was, if nothing else has changed
   bool placedOnce = false;
   bool placedInScene = false;  ///< `placed` is of `scene`, not of the one before it
@@ -136,7 +136,7 @@ struct Editor::State {
   bool assign(const Values& next);
   void step(const std::optional<Values>& to);
   [[nodiscard]] PlaceMemory::Picture picture() const;
-  void rememberPlaces();
+  Placer::Memory rememberPlaces();
   void finishEdits();
   void moveCamera(const Camera& next);
   void openingCamera();

@@ -128,8 +128,8 @@ void Editor::setHiddenShown(bool shown) {
   if (s.hiddenShown == shown) return;
   s.hiddenShown = shown;
   if (shown && s.loaded && s.hasSize()) {
-    s.beforeHidden = {s.placer.memory(), s.values, s.currentView().viewProjection()};
-  } else if (!shown && s.loaded && s.hasSize() && s.beforeHidden.values == s.values && s.beforeHidden.viewProjection == s.currentView().viewProjection() && !s.handleGesture) {
+    s.beforeHidden = {s.placer.memory(), s.values, s.picture()};
+  } else if (!shown && s.loaded && s.hasSize() && s.beforeHidden.values == s.values && s.beforeHidden.picture == s.picture() && !s.handleGesture) {
     s.recall = s.beforeHidden.memory;
   }
   s.placer.showHidden(shown);
