@@ -19,6 +19,12 @@ Segment moved(const Segment& s, const Segment& by, double share) {
 
 }  // namespace
 
+/// Whether a line that is still the same one lies elsewhere against its base line, or its label on it.
+bool LineAnimator::jumps(const PlacedLine& placed, const Tracked& before) {
+  const bool labelHops = placed.label && before.hasLabel && placed.labelPlace != before.labelPlace;
+  return labelHops || glm::length(offsetPx(placed) - before.offsetPx) > kJumpPx;
+}
+
 void LineAnimator::reset() {
   tracked_.clear();
   fading_.clear();
@@ -96,7 +102,7 @@ void LineAnimator::match(const Layout& placed, std::span<const Scope> scopes, do
       taken_[*found] = true;
       hint = *found + 1;
       const bool inHand = exactly && std::ranges::find(held, placed.lines[i].identity, &PlacedLine::identity) != held.end();
-      changed_[i] = !exactly || (!inHand && glm::length(offsetPx(placed.lines[i]) - next_[i].offsetPx) > kJumpPx);
+      changed_[i] = !exactly || (!inHand && jumps(placed.lines[i], next_[i]));
     }
   }
   for (std::size_t i = 0; i < placed.lines.size(); ++i) {
@@ -149,6 +155,7 @@ bool LineAnimator::drawLine(const PlacedLine& placed, const View& view, bool sam
   tracked.base = drawn.base;
   tracked.line = drawn.line;
   tracked.hasLabel = drawn.label.has_value();
+  tracked.labelPlace = placed.labelPlace;
   if (drawn.label) tracked.labelCenter = drawn.label->center();
   tracked.offsetPx = offsetPx(placed);
   return true;

@@ -12,8 +12,8 @@ namespace dimline {
 /// Carries lines from where they were to where they are placed, so that an eye can follow them (paper 5, "Animation").
 ///
 /// Animated is the difference to the place, in the world: a line that keeps its place sticks to it exactly however fast
-/// the camera moves, and one that got a new place glides there within kGlideMs, whatever happens on the way. Lines come
-/// and go by opacity.
+/// the camera moves, and one that got a new place, or whose label did, glides there within kGlideMs, whatever happens on
+/// the way. Lines come and go by opacity.
 class LineAnimator {
 public:
   /// Without motion lines are where they are placed, at once.
@@ -42,6 +42,7 @@ private:
     Segment base, line;
     Vec2 labelCenter{0.0};
     bool hasLabel = false;
+    LabelPlace labelPlace;
     Vec2 offsetPx{0.0};  ///< from the base line's middle to the line's, as placed
     // What was left between the two when its glide began.
     Segment baseRest, lineRest;
@@ -55,6 +56,7 @@ private:
   void match(const Layout& placed, std::span<const Scope> scopes, double nowMs, bool animate, Layout& drawn, std::span<const PlacedLine> held);
   [[nodiscard]] std::optional<std::size_t> findBefore(const PlacedLine& line, std::uint32_t scopeIndex,
                                                       std::size_t hint, bool exactly) const;
+  [[nodiscard]] static bool jumps(const PlacedLine& placed, const Tracked& before);
   bool drawLine(const PlacedLine& placed, const View& view, bool sameView, double nowMs, Tracked& tracked,
                 PlacedLine& drawn);
 

@@ -74,6 +74,7 @@ void Foresight::begin(const std::optional<View>& before, const View& now, const 
   objectPlanes_ = objectPlanes;
   toleranceM_ = toleranceM;
   if (!before) lookCount_ = briefCount_ = 0;
+  now_ = now;
   if (!before || samePicture(*before, now)) return;
   Movement movement(*before, now);
   const int looks = !movement.zooms() && !movement.turns() ? 0 : std::min(movement.zooms() ? kLooksAheadZooming : kLooksAheadTurning, movement.framesAhead());
@@ -103,6 +104,7 @@ std::size_t Foresight::firstLook(Lost lost) const {
 }
 
 Foresight::Prospect Foresight::prospect(const Place& place) {
+  if (lookCount_ == 0) return {.price = turnedAway(place.base, now_, kTurnedAwaySin) ? kScoreSoonGone * kTurnedAwayShare : 0.0};
   const std::size_t lost = firstLook([&](const Look& look) { return !lastsUntil(look, place); });
   const std::size_t turned = firstLook([&](const Look& look) { return turnedAway(place.base, look.view, kTurnedAwaySin); });
   return {.price = lossPrice_ * std::max(shareLeft(lost), kTurnedAwayShare * shareLeft(turned)),

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace dimline {
 
@@ -23,33 +24,59 @@ double halfExtent(const Vec2& halfSize, const Vec2& normal) {
 
 Box2 boxAround(const Vec2& center, const Vec2& size) { return {center - size * 0.5, center + size * 0.5}; }
 
-/// Shares of the way from a line's middle to either end at which a label is tried, in this order: in few large steps first, so that a label does not slide to and fro with what passes by, then between
+/// Eighths of the way from a line's middle to either end at which a label is tried, in this order: in few large steps first, so that a label does not slide to and fro with what passes by, then between
 /// them. More of them: fewer lines have no room for their label.
-constexpr std::array kPlacesAlong = {0.0, -0.5, 0.5, -1.0, 1.0, -0.25, 0.25, -0.75, 0.75, -0.125, 0.125, -0.375, 0.375, -0.625, 0.625, -0.875, 0.875};
+constexpr int kEighths = 8;
+constexpr std::array<std::int8_t, 2 * kEighths + 1> kPlacesAlong = {0, -4, 4, -8, 8, -2, 2, -6, 6, -1, 1, -3, 3, -5, 5, -7, 7};
 
-/// Tries places in order and keeps the first that has room.
-class Search {
+/// The places of a label on one line.
+class Places {
  public:
-  Search(const LabelRequest& request, const Landed& landed, const Box2& viewport)
-      : request_(request), landed_(landed), allowed_(viewport.grown(-kViewportMarginPx)) {}
-
-  bool tryAt(const Vec2& center) {
-    const Box2 box = boxAround(center, request_.textSize);
-    if (box.min.x < allowed_.min.x || box.min.y < allowed_.min.y || box.max.x > allowed_.max.x || box.max.y > allowed_.max.y) {
-      return false;
-    }
-    if (request_.model != nullptr && !clears(*request_.model, box.grown(kLabelClearancePx))) return false;
-    if (!landed_.hasRoom(box, request_.overExtensions)) return false;
-    found_ = box;
-    return true;
+  /// `line`: the part of it that is in the picture.
+  Places(const LabelRequest& request, const Segment2& line, const Landed& landed, const Box2& viewport)
+      : request_(request), line_(line), landed_(landed), allowed_(viewport.grown(-kViewportMarginPx)), length_(line.length()),
+        direction_(length_ > 0 ? (line.end - line.start) / length_ : Vec2(1, 0)), normal_(-direction_.y, direction_.x),
+        room_(0.5 * (length_ - interruptedLengthPx(request.textSize, direction_)) - kArrowLengthPx - kLabelPaddingPx) {
+    if (glm::dot(normal_, request.outward) < 0) normal_ = -normal_;
   }
-  [[nodiscard]] const std::optional<Box2>& found() const { return found_; }
+
+  std::optional<LabelFound> tryAt(const LabelPlace& place) const {
+    if (!exists(place)) return std::nullopt;
+    const Box2 box = boxAround(center(place), request_.textSize);
+    if (!allowed_.contains(box.min) || !allowed_.contains(box.max)) return std::nullopt;
+    if (request_.model != nullptr && !clears(*request_.model, box.grown(kLabelClearancePx))) return std::nullopt;
+    if (!landed_.hasRoom(box, place.overExtensions)) return std::nullopt;
+    return LabelFound{box, place};
+  }
 
  private:
+  [[nodiscard]] bool exists(const LabelPlace& place) const {
+    if (place.side == LabelPlace::Side::kOnLine) return room_ >= 0;
+    return !request_.inChain || (place.side != LabelPlace::Side::kBeyondEnd && place.side != LabelPlace::Side::kBeyondStart);
+  }
+  [[nodiscard]] Vec2 center(const LabelPlace& place) const {
+    const Vec2 half = request_.textSize * 0.5;
+    const double beyond = reach(half, direction_) + kArrowHalfWidthPx + kLabelPaddingPx;
+    const double beside = halfExtent(half, normal_) + kArrowHalfWidthPx + kLabelPaddingPx;
+    const double share = static_cast<double>(place.eighth) / kEighths;
+    switch (place.side) {
+      case LabelPlace::Side::kOnLine: break;
+      case LabelPlace::Side::kBeyondEnd: return request_.line.end + direction_ * beyond;
+      case LabelPlace::Side::kBeyondStart: return request_.line.start - direction_ * beyond;
+      case LabelPlace::Side::kOutward: return line_.middle() + direction_ * (share * 0.5 * length_) + normal_ * beside;
+      case LabelPlace::Side::kInward: return line_.middle() + direction_ * (share * 0.5 * length_) - normal_ * beside;
+    }
+    return line_.middle() + direction_ * (share * room_);
+  }
+
   const LabelRequest& request_;
+  Segment2 line_;
   const Landed& landed_;
   Box2 allowed_;
-  std::optional<Box2> found_;
+  double length_;
+  Vec2 direction_;
+  Vec2 normal_;      ///< away from the model
+  double room_;      ///< px, from the line's middle to the last place of a label that rides on it
 };
 
 }  // namespace
@@ -58,33 +85,33 @@ double interruptedLengthPx(const Vec2& textSize, const Vec2& lineDirection) {
   return 2.0 * (reach(textSize * 0.5, lineDirection) + kLabelPaddingPx);
 }
 
-std::optional<Box2> placeLabel(const LabelRequest& request, const Landed& landed, const Box2& viewport) {
+std::optional<LabelFound> placeLabel(const LabelRequest& request, const Landed& landed, const Box2& viewport) {
   // A line inside the model may run out of the picture; its label stays with the part that is seen.
   const auto visible = clipped(request.line, viewport.grown(-kViewportMarginPx));
   if (!visible) return std::nullopt;
-  const double length = visible->length();
-  const Vec2 direction = length > 0 ? (visible->end - visible->start) / length : Vec2(1, 0);
-  const Vec2 half = request.textSize * 0.5;
-  Search search(request, landed, viewport);
-
-  const double room = 0.5 * (length - interruptedLengthPx(request.textSize, direction)) - kArrowLengthPx - kLabelPaddingPx;
-  if (room >= 0) {
-    for (const double share : kPlacesAlong) {
-      if (search.tryAt(visible->middle() + direction * (share * room))) return search.found();
+  const Places places(request, *visible, landed, viewport);
+  std::optional<LabelFound> found;
+  const auto tryAt = [&](LabelPlace::Side side, int eighth, bool overExtensions) {
+    found = places.tryAt({side, static_cast<std::int8_t>(eighth), overExtensions});
+    return found.has_value();
+  };
+  using enum LabelPlace::Side;
+  if (request.last) {
+    const auto [side, eighth, overExtensions] = *request.last;
+    if (tryAt(side, eighth, overExtensions)) return found;
+    // Where it was something is in its way now: it goes as little along the line as it can.
+    for (int by = 1; side == kOnLine && by <= 2 * kEighths; ++by) {
+      if (eighth - by >= -kEighths && tryAt(side, eighth - by, overExtensions)) return found;
+      if (eighth + by <= kEighths && tryAt(side, eighth + by, overExtensions)) return found;
     }
   }
-  if (!request.inChain) {
-    const double beyond = reach(half, direction) + kArrowHalfWidthPx + kLabelPaddingPx;
-    if (search.tryAt(request.line.end + direction * beyond)) return search.found();
-    if (search.tryAt(request.line.start - direction * beyond)) return search.found();
+  const bool over = request.overExtensions;
+  for (const int eighth : kPlacesAlong) {
+    if (tryAt(kOnLine, eighth, over)) return found;
   }
-
-  Vec2 normal{-direction.y, direction.x};
-  if (glm::dot(normal, request.outward) < 0) normal = -normal;
-  const double beside = halfExtent(half, normal) + kArrowHalfWidthPx + kLabelPaddingPx;
-  for (const double share : kPlacesAlong) {
-    const Vec2 center = visible->middle() + direction * (share * 0.5 * length);
-    if (search.tryAt(center + normal * beside) || search.tryAt(center - normal * beside)) return search.found();
+  if (tryAt(kBeyondEnd, 0, over) || tryAt(kBeyondStart, 0, over)) return found;
+  for (const int eighth : kPlacesAlong) {
+    if (tryAt(kOutward, eighth, over) || tryAt(kInward, eighth, over)) return found;
   }
   return std::nullopt;
 }

@@ -19,11 +19,17 @@ struct LabelRequest {
   const DistanceFields* model = nullptr;   ///< the label clears these fields; null when the line lies inside the model
   bool overExtensions = false;    ///< extension lines may run under it
   bool inChain = false;           ///< beyond its ends lie the chain's other members: only on the line and beside it
+  std::optional<LabelPlace> last = {};   ///< where it was in the last frame, to be left only when there is no room any more
 };
 
-/// The first place with room, in the order of preference: the middle of the line, along it, beyond its end, beyond its start, beside its middle, beside it further along. Within the viewport's
-/// margin, clear of the model and of all that has landed. Nothing when there is no such place.
-std::optional<Box2> placeLabel(const LabelRequest& request, const Landed& landed, const Box2& viewport);
+struct LabelFound {
+  Box2 box;           ///< px
+  LabelPlace place;
+};
+
+/// The first place with room, in the order of preference: where it was, on the line as near by as can be, the middle of the line, along it, beyond its end, beyond its start, beside its middle, beside it further
+/// along. Within the viewport's margin, clear of the model and of all that has landed. Nothing when there is no such place.
+std::optional<LabelFound> placeLabel(const LabelRequest& request, const Landed& landed, const Box2& viewport);
 
 /// Length (px) of a line that its label covers when it rides on it.
 double interruptedLengthPx(const Vec2& textSize, const Vec2& lineDirection);

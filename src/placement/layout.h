@@ -41,6 +41,16 @@ struct LineLook {
   std::optional<std::array<std::uint8_t, 3>> color;   ///< sRGB, in place of the theme's
 };
 
+/// Where the text of a line is: riding on the line, beyond one of its ends, or beside it, away from the model or towards it. It means
+/// the same when the line has moved or has become longer.
+struct LabelPlace {
+  enum class Side : std::uint8_t { kOnLine, kBeyondEnd, kBeyondStart, kOutward, kInward };
+  Side side = Side::kOnLine;
+  std::int8_t eighth = 0;        ///< how far from the line's middle towards its end, of the way that there is
+  bool overExtensions = false;   ///< extension lines may run under it
+  bool operator==(const LabelPlace&) const = default;
+};
+
 /// One end of a line that can be dragged.
 struct Handle {
   bool atEnd = true;   ///< the moving end, or else the start
@@ -72,6 +82,7 @@ struct PlacedLine {
   double value = 0;               ///< the parameter's value
   std::string text;               ///< what the label says
   std::optional<Box2> label;      ///< px; empty when there is no room
+  LabelPlace labelPlace;          ///< meaningless without a label
   std::vector<Handle> handles;
 };
 

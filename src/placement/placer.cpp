@@ -9,6 +9,7 @@
 #include "core/sort_keys.h"
 #include "placement/chooser.h"
 #include "placement/foresight.h"
+#include "placement/label_memory.h"
 #include "placement/labels.h"
 #include "placement/mending.h"
 #include "placement/on_screen.h"
@@ -101,6 +102,7 @@ struct Placer::State {
     std::vector<History> histories;   ///< one a parameter
     std::vector<Sight> sights;        ///< one a scope
     LookAhead lookAhead;
+    LabelMemory labels;
     Mending mending;
     bool held = false;                ///< whether a line was held in the last frame
     std::optional<View> view;         ///< of the last frame
@@ -149,7 +151,7 @@ struct Placer::State {
     return past.histories[measured.parameter].shownAnew() ? plain : seen;
   }
   [[nodiscard]] BaseLineTally scopesOutOfSight(const Measured& measured) const;
-  void labelInside(const View& view, Layout& layout);
+  void labelInside(const FrameToPlace& frame, Layout& layout);
   bool placeLines(std::size_t rank, const ChoiceContext& context, double value, Layout& layout);
   void judgeChoice(std::size_t rank, const History& history);
   void landChoice(const Measured& measured, double value, Layout& layout);
@@ -166,6 +168,7 @@ void Placer::forget() {
   State::Past& past = state_->past;
   for (std::size_t i = 0; i < past.histories.size(); ++i) past.histories[i] = History(static_cast<std::int32_t>(i));
   past.lookAhead.forget();
+  past.labels.forget();
   past.mending = {};
   past.sights.clear();
   past.held = false;
@@ -279,6 +282,7 @@ void Placer::place(const View& view, const DistanceFields& fields, const Values&
   s.occupied.begin(fields);
   s.placeWithRoom(frame, layout);
   if (mends) s.mend(frame, layout);
+  s.past.labels.note(layout.lines, viewMoved);
 
   layout.view = view;
   layout.visibleScopes.clear();
@@ -379,7 +383,7 @@ bool Placer::State::placeAll(const FrameToPlace& frame, std::size_t crowded, Lay
     } else {
       const Identity* avoid = avoided && avoided->rank == rank ? &avoided->place : nullptr;
       const bool runsInto = placeLines(rank,
-                                       {view, fields, occupied, past.lookAhead, object, foresight, scopes, usableScopes(measured), object.toleranceM, viewMoved,
+                                       {view, fields, occupied, past.lookAhead, past.labels, object, foresight, scopes, usableScopes(measured), object.toleranceM, viewMoved,
                                         firm, avoid, showHidden},
                                        values.at(measured.parameter), layout);
       // A measure takes no place from what can be edited.
@@ -398,20 +402,23 @@ bool Placer::State::placeAll(const FrameToPlace& frame, std::size_t crowded, Lay
       placeOther(other, view, values.at(other.parameter), layout);
     }
   }
-  labelInside(view, layout);
+  labelInside(frame, layout);
   return cramped;
 }
 
 /// Lines inside the model get their labels last, where there is room for them: such a line says what it is by where it lies, and all else has no other way to say it.
-void Placer::State::labelInside(const View& view, Layout& layout) {
+void Placer::State::labelInside(const FrameToPlace& frame, Layout& layout) {
   for (PlacedLine& line : layout.lines) {
     if (line.placement != PlacementKind::kInside || line.label) continue;
     const auto measured = std::ranges::find(order, line.parameter, &Measured::parameter);
-    LabelRequest request{.line = line.lineScreen, .textSize = measured->textSize};
-    line.label = placeLabel(request, occupied.landed(), view.viewport());
+    LabelRequest request{.line = line.lineScreen, .textSize = measured->textSize, .last = past.labels.last(line.identity, 0, frame.viewMoved)};
+    auto found = placeLabel(request, occupied.landed(), frame.view.viewport());
     request.overExtensions = true;
-    if (!line.label) line.label = placeLabel(request, occupied.landed(), view.viewport());
-    if (line.label) occupied.add(*line.label);
+    if (!found) found = placeLabel(request, occupied.landed(), frame.view.viewport());
+    if (!found) continue;
+    line.label = found->box;
+    line.labelPlace = found->place;
+    occupied.add(found->box);
   }
 }
 
@@ -525,6 +532,7 @@ void Placer::State::landChoice(const Measured& measured, double value, Layout& l
     line.value = value;
     line.text = measured.text;
     line.label = chosen.label;
+    line.labelPlace = chosen.labelPlace;
     line.handles.clear();
     const bool measure = parameters[measured.parameter].measure;
     if (!measure) line.handles.push_back({true, chosen.lineScreen.end});

@@ -42,7 +42,7 @@ double thresholdFactor(const Measured& measured, const ChoiceContext& context) {
   return context.showAll ? kShowAllLengthPx / leastLengthPx(measured.annotation) : 1.0;
 }
 
-ChosenLine chosenLine(const Candidate& c) { return {c.scope, c.base, c.baseScreen, c.foot, c.footScreen, c.line, c.lineScreen, std::nullopt}; }
+ChosenLine chosenLine(const Candidate& c) { return {c.scope, c.base, c.baseScreen, c.foot, c.footScreen, c.line, c.lineScreen, std::nullopt, {}}; }
 
 Trial::AmongOthers Trial::amongOthers(const Candidate& candidate, const ChoiceContext& context, double enough) {
   const Segment2& base = candidate.baseScreen;
@@ -152,7 +152,7 @@ bool Trial::expandChain(const Candidate& candidate, const Measured& measured, co
     }
     chainStretches_.add(m.fromM, m.toM);
     const Segment foot{m.segment.start + candidate.plane.onto, m.segment.end + candidate.plane.onto};
-    lines_.push_back({m.scope, m.segment, view.toScreen(m.segment), foot, view.toScreen(foot), line, lineScreen, std::nullopt});
+    lines_.push_back({m.scope, m.segment, view.toScreen(m.segment), foot, view.toScreen(foot), line, lineScreen, std::nullopt, {}});
   }
   return !lines_.empty();
 }
@@ -169,16 +169,29 @@ bool Trial::settle(Candidate& candidate, const Measured& measured, const ChoiceC
 /// As many lines carry a text as have room; false when none has.
 bool Trial::placeLabels(const Candidate& candidate, const Measured& measured, const ChoiceContext& context) {
   bool any = false;
+  Identity identity = candidate.identity;
   for (std::size_t i = 0; i < lines_.size(); ++i) {
-    const auto box = placeLabel({.line = lines_[i].lineScreen,
-                                 .textSize = measured.textSize,
-                                 .outward = candidate.lineScreen.middle() - candidate.baseScreen.middle(),
-                                 .model = &context.model,
-                                 .inChain = lines_.size() > 1},
-                                context.occupied.landed(), context.view.viewport());
-    if (!box || !fellowsLeaveRoom(*box, i)) continue;
-    lines_[i].label = box;
-    any = true;
+    ChosenLine& line = lines_[i];
+    identity.scopeIndex = static_cast<std::int32_t>(context.scopes[line.scope].index);
+    LabelRequest request{.line = line.lineScreen,
+                         .textSize = measured.textSize,
+                         .outward = candidate.lineScreen.middle() - candidate.baseScreen.middle(),
+                         .model = &context.model,
+                         .inChain = lines_.size() > 1,
+                         .last = context.labels.last(identity, i, context.viewMoved)};
+    const auto find = [&] {
+      const auto found = placeLabel(request, context.occupied.landed(), context.view.viewport());
+      if (!found || !fellowsLeaveRoom(found->box, i)) return false;
+      line.label = found->box;
+      line.labelPlace = found->place;
+      return true;
+    };
+    bool found = find();
+    if (!found && request.last) {
+      request.last.reset();
+      found = find();
+    }
+    any = any || found;
   }
   return any;
 }

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "placement/candidates.h"
+#include "placement/label_memory.h"
 #include "placement/look_ahead.h"
 #include "placement/measured.h"
 #include "placement/occupied.h"
@@ -16,6 +17,7 @@ struct ChoiceContext {
   const DistanceFields& model;              ///< the model's own fields
   const Occupied& occupied;
   const LookAhead& lookAhead;
+  const LabelMemory& labels;
   const ObjectPlanesInFrame& objectPlanes;
   Foresight& foresight;
   std::span<const Scope> scopes;
@@ -37,6 +39,7 @@ struct ChosenLine {
   Segment line;
   Segment2 lineScreen;
   std::optional<Box2> label;
+  LabelPlace labelPlace;
 };
 
 /// By what the thresholds of constants.h are multiplied for what is too short or points at the viewer.

@@ -139,6 +139,25 @@ TEST_CASE("a jump of a line that stays the same one is softened, a drift is not"
   REQUIRE(same(stage.at(300).lines[0], stage.placed.lines[0]));
 }
 
+TEST_CASE("a label that hops along its line glides there, and the line stays where it is") {
+  const View view = frontView();
+  Stage stage(view, {placedLine(-1, -1, view)});
+  const Vec2 middle = stage.at(0).lines[0].label->center();
+  PlacedLine hopped = placedLine(-1, -1, view);
+  hopped.labelPlace.eighth = 4;
+  hopped.label->min.x += 80;
+  hopped.label->max.x += 80;
+  stage.place(view, {hopped});
+  REQUIRE(stage.at(16).lines[0].label->center() == middle);
+  REQUIRE_FALSE(stage.animator.atRest());
+  const PlacedLine& line = stage.at(90).lines[0];
+  REQUIRE(line.label->center().x > middle.x);
+  REQUIRE(line.label->center().x < middle.x + 80);
+  REQUIRE(line.lineScreen.start == hopped.lineScreen.start);
+  REQUIRE(same(stage.at(200).lines[0], hopped));
+  REQUIRE(stage.animator.atRest());
+}
+
 TEST_CASE("a change on the way goes on from where the line is") {
   const View view = frontView();
   Stage stage(view, {placedLine(-1, -1, view)});

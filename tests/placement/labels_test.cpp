@@ -1,5 +1,6 @@
 #include <catch2/catch.hpp>
 
+#include "placement/label_memory.h"
 #include "placement/labels.h"
 
 using namespace dimline;
@@ -16,10 +17,15 @@ PlacedLine placed(const Segment2& line, std::optional<Box2> label = std::nullopt
   return out;
 }
 
+std::optional<Box2> labelBox(const LabelRequest& request, const Landed& landed, const Box2& viewport) {
+  const auto found = placeLabel(request, landed, viewport);
+  return found ? std::optional(found->box) : std::nullopt;
+}
+
 }  // namespace
 
 TEST_CASE("a label rides on the middle of a line that is long enough") {
-  const auto box = placeLabel({.line = {{100, 500}, {300, 500}}, .textSize = kText}, Landed{}, kViewport);
+  const auto box = labelBox({.line = {{100, 500}, {300, 500}}, .textSize = kText}, Landed{}, kViewport);
   REQUIRE(box);
   CHECK(box->min == Vec2(176, 492));
   CHECK(box->max == Vec2(224, 508));
@@ -33,7 +39,7 @@ TEST_CASE("the line is interrupted by the text's width along it and the padding"
 TEST_CASE("a label moves along its line when the middle is taken") {
   Landed landed;
   landed.add(placed({{190, 400}, {190, 600}}), -1);
-  const auto box = placeLabel({.line = {{100, 500}, {300, 500}}, .textSize = kText}, landed, kViewport);
+  const auto box = labelBox({.line = {{100, 500}, {300, 500}}, .textSize = kText}, landed, kViewport);
   REQUIRE(box);
   CHECK(box->center().y == Approx(500));
   CHECK(landed.hasRoom(*box));
@@ -45,7 +51,7 @@ TEST_CASE("a label finds room between the places that are tried first") {
   // Its middle may lie 56 px to either side of the line's. On the right there is room for it from 34 to 37 px alone.
   for (const double x : {100.0, 206.0, 265.0}) landed.add(placed({{x, 400}, {x, 600}}), -1);
   for (const double x : {140.0, 185.0}) landed.addLabel({{x, 495}, {x + 5, 505}});
-  const auto box = placeLabel({.line = {{100, 500}, {300, 500}}, .textSize = kText}, landed, kViewport);
+  const auto box = labelBox({.line = {{100, 500}, {300, 500}}, .textSize = kText}, landed, kViewport);
   REQUIRE(box);
   CHECK(box->center().x == Approx(200 + 56 * 0.625));
 }
@@ -54,7 +60,7 @@ TEST_CASE("a label stands beside its line further along where something is besid
   Landed landed;
   // Beyond either end of a line that is too short for its text, and at the left above and below it.
   for (const Box2& taken : {Box2{{470, 495}, {475, 505}}, Box2{{360, 495}, {365, 505}}, Box2{{392, 478}, {398, 490}}, Box2{{392, 510}, {398, 522}}}) landed.addLabel(taken);
-  const auto box = placeLabel({.line = {{400, 500}, {440, 500}}, .textSize = kText}, landed, kViewport);
+  const auto box = labelBox({.line = {{400, 500}, {440, 500}}, .textSize = kText}, landed, kViewport);
   REQUIRE(box);
   CHECK(box->center().x == Approx(420 + 10));
   CHECK(std::abs(box->center().y - 500) == Approx(16));
@@ -71,17 +77,77 @@ TEST_CASE("extension lines may run under a label where that is allowed, lines an
 }
 
 TEST_CASE("a label stands beyond the end of a line that is too short") {
-  const auto box = placeLabel({.line = {{100, 500}, {140, 500}}, .textSize = kText}, Landed{}, kViewport);
+  const auto box = labelBox({.line = {{100, 500}, {140, 500}}, .textSize = kText}, Landed{}, kViewport);
   REQUIRE(box);
   CHECK(box->min.x > 140);
   CHECK(box->center().y == Approx(500));
 }
 
 TEST_CASE("a label that would leave the viewport goes elsewhere, and where nothing is left there is none") {
-  const auto box = placeLabel({.line = {{950, 500}, {990, 500}}, .textSize = kText}, Landed{}, kViewport);
+  const auto box = labelBox({.line = {{950, 500}, {990, 500}}, .textSize = kText}, Landed{}, kViewport);
   REQUIRE(box);
   CHECK(box->max.x < 950);
   CHECK_FALSE(placeLabel({.line = {{10, 10}, {30, 10}}, .textSize = kText}, Landed{}, {{0, 0}, {40, 20}}));
+}
+
+TEST_CASE("a label stays where it was, or as near by as it can, though places before that are free") {
+  LabelRequest request{.line = {{100, 500}, {300, 500}}, .textSize = kText};
+  request.last = LabelPlace{.side = LabelPlace::Side::kOnLine, .eighth = 4};
+  Landed landed;
+  auto found = placeLabel(request, landed, kViewport);
+  REQUIRE(found);
+  CHECK(found->place == *request.last);
+  CHECK(found->box.center().x == Approx(200 + 56 * 0.5));
+  // What comes there leaves room at the middle, and further away on the other side.
+  landed.add(placed({{232, 400}, {232, 600}}), -1);
+  found = placeLabel(request, landed, kViewport);
+  REQUIRE(found);
+  CHECK(found->place.side == LabelPlace::Side::kOnLine);
+  CHECK(found->place.eighth == 0);
+  request.last = LabelPlace{.side = LabelPlace::Side::kInward};
+  CHECK(placeLabel(request, landed, kViewport)->place == *request.last);
+}
+
+TEST_CASE("a label that was over extension lines stays there as it was") {
+  Landed landed;
+  PlacedLine line = placed({{600, 100}, {600, 200}});
+  line.extensionStart = {{200, 400}, {200, 600}};
+  landed.add(line, -1);
+  LabelRequest request{.line = {{100, 500}, {300, 500}}, .textSize = kText};
+  CHECK(placeLabel(request, landed, kViewport)->place.eighth != 0);
+  request.last = LabelPlace{.overExtensions = true};
+  CHECK(placeLabel(request, landed, kViewport)->place == *request.last);
+}
+
+TEST_CASE("where a label was is remembered for its line alone, and for so many moved frames") {
+  PlacedLine line = placed({{100, 500}, {300, 500}}, Box2{{176, 492}, {224, 508}});
+  line.identity = {.parameter = 3, .scopeIndex = 1, .baseLine = 2, .plane = 0, .direction = 1};
+  line.labelPlace = {.side = LabelPlace::Side::kOutward, .eighth = -4};
+  PlacedLine other = line;
+  other.identity.scopeIndex = 2;
+  other.labelPlace = {};
+  const std::vector lines{other, line};
+  LabelMemory memory;
+  CHECK_FALSE(memory.last(line.identity, 0, true));
+  memory.note(lines, true);
+  CHECK(memory.last(line.identity, 0, true) == line.labelPlace);
+  CHECK(memory.last(line.identity, 1, true) == line.labelPlace);
+  CHECK(memory.last(other.identity, 0, true) == other.labelPlace);
+  Identity elsewhere = line.identity;
+  elsewhere.baseLine = 3;
+  CHECK_FALSE(memory.last(elsewhere, 0, true));
+
+  for (int frame = 0; frame < kReturnFrames; ++frame) memory.note(lines, false);
+  CHECK(memory.last(line.identity, 0, true) == line.labelPlace);
+  for (int frame = 0; frame < kReturnFrames; ++frame) memory.note(lines, true);
+  CHECK_FALSE(memory.last(line.identity, 0, true));
+  CHECK(memory.last(line.identity, 0, false) == line.labelPlace);   // before a still camera it never moves
+  line.labelPlace.eighth = 4;
+  memory.note(std::span(&line, 1), true);
+  CHECK(memory.last(line.identity, 0, true) == line.labelPlace);
+  CHECK_FALSE(memory.last(other.identity, 0, true));
+  memory.forget();
+  CHECK_FALSE(memory.last(line.identity, 0, false));
 }
 
 TEST_CASE("a label clears the model") {
@@ -95,7 +161,7 @@ TEST_CASE("a label clears the model") {
   }
   for (float& value : model[ViewportEdge::kRight].edit()) value = 0;
   model.buildTrees();
-  const auto box = placeLabel({.line = {{200, 300}, {200, 700}}, .textSize = kText, .outward = {-20, 0}, .model = &model},
+  const auto box = labelBox({.line = {{200, 300}, {200, 700}}, .textSize = kText, .outward = {-20, 0}, .model = &model},
                               Landed{}, kViewport);
   REQUIRE(box);
   CHECK(box->max.x + kLabelClearancePx <= 220);
