@@ -31,7 +31,6 @@ export class Overlay {
   #parameters = [];
   #measures = [];
   #hover = { name: null, cursor: "" }; // the cursor over the handle that the mouse rests on
-  #overNumber = null; // the name of the parameter on whose number the mouse rests
   #saidOf = null; // the name of the parameter that the last sentence was about
   #byKeys = false; // the keyboard was used last, and what has its focus is marked as if the mouse were there
   #marked = ""; // where that is
@@ -73,7 +72,7 @@ export class Overlay {
     this.#labels.clear();
     this.#readout.silence();
     this.announce("");
-    this.#saidOf = this.#overNumber = null;
+    this.#saidOf = null;
     this.#marked = "";
     this.#hover = { name: null, cursor: "" };
   }
@@ -121,7 +120,6 @@ export class Overlay {
 
   /** The mouse is in use: what it points at shall be marked, and not what has the focus; false for the line whose value is being typed, which stays marked. */
   pointed() {
-    this.#overNumber = null;
     if (this.#field.name !== null) return false;
     this.#byKeys = false;
     this.#marked = "";
@@ -164,7 +162,7 @@ export class Overlay {
 
   #hoveredName(labels) {
     const line = labels.find((label) => label.hovered);
-    if (!line) return this.#pills.hovered?.title ?? (this.#overNumber === null ? "" : this.#titleOf(this.#overNumber));
+    if (!line) return this.#pills.hovered?.title ?? "";
     const title = line.measure ? this.#measures.find(({ name }) => name === line.name)?.title : this.#titleOf(line.name);
     return line.box ? title : `${title}  ${line.text}`; // a line without a text tells its value here
   }
@@ -215,8 +213,7 @@ export class Overlay {
   cursorAt(x, y, onHandle) {
     if (!onHandle) {
       this.#hover.name = null;
-      this.#overNumber = this.#labels.labelAt(x, y, false)?.name ?? null;
-      return this.#overNumber === null ? "" : "text";
+      return this.#labels.labelAt(x, y, false) ? "text" : "";
     }
     // The layout is asked once for each handle that the mouse comes to, not for each pixel.
     const core = this.#host.core();

@@ -140,7 +140,7 @@ class Editor {
   [[nodiscard]] std::optional<std::size_t> parameterAt(const Vec2& screen, PointerKind kind) const;
   /// How much of the last frame a box over the picture would hide (px): see app/cover_cost.h.
   [[nodiscard]] double coverCost(const Box2& box) const;
-  /// Where a pointer that is not down hovers; nothing when it left.
+  /// Where a pointer that is not down hovers, until endHover(). What it points at is marked: a handle or, anywhere else on it, a line or its label. Says whether it would take hold of a handle.
   PointerTarget hover(const PointerInput& input);
   void endHover();
 

@@ -165,7 +165,7 @@ void Editor::State::addDragMarks() {
 
 /// Marks the edges of the boxes of those scopes in sight that a parameter's annotation names.
 void Editor::State::markScopes(std::size_t parameter, const View& view, double share) {
-  const auto& annotation = model.annotations[parameter];
+  const auto& annotation = placedModel().annotations[parameter];
   if (!annotation) return;
   const auto ofIt = [&](std::size_t i) { return i < scene.scopes.size() && scene.scopes[i].name == annotation->scope; };
   const auto count = std::ranges::count_if(placed.visibleScopes, ofIt);

@@ -212,12 +212,10 @@ void Editor::State::updateStates() {
   handleScales.resize(drawn.lines.size());
   for (std::size_t i = 0; i < drawn.lines.size(); ++i) {
     const PlacedLine& line = drawn.lines[i];
-    const auto isOf = [&](const std::optional<HandleKey>& key) {
-      return key && (*key == keyOf(line, true) || *key == keyOf(line, false));
-    };
+    const HandleKey key = keyOf(line, true);
     const bool dragged = handleGesture && handleGesture->dragging(line) != nullptr;
-    lineStates[i] = {animator.opacities()[i], isOf(hovered), dragged};
-    handleScales[i] = scaleOf(dragged, isOf(hovered), isOf(hoveredBefore));
+    lineStates[i] = {animator.opacities()[i], hovered == key, dragged};
+    handleScales[i] = scaleOf(dragged, hovered == key, hoveredBefore == key);
   }
   otherStates.resize(drawn.others.size());
   otherScales.resize(drawn.others.size());

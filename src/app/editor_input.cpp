@@ -111,7 +111,7 @@ PointerTarget Editor::hover(const PointerInput& input) {
   if (!finite(input.screen)) return PointerTarget::kNothing;
   s.hoverAt = input;
   s.updateHover();
-  return s.hovered ? PointerTarget::kHandle : PointerTarget::kNothing;
+  return s.hovered && s.gripAt(input) ? PointerTarget::kHandle : PointerTarget::kNothing;
 }
 
 void Editor::endHover() {
@@ -131,6 +131,19 @@ std::optional<GripRef> Editor::State::gripAt(const PointerInput& input) const {
   }
   if (const auto ofArc = hitArc(drawn.others, drawn.view, input.screen, radiusPx)) return GripRef(*ofArc);
   return ofLine ? std::optional(GripRef(*ofLine)) : std::nullopt;
+}
+
+/// What a pointer takes hold of or, where it would not, what it points at: a line, an arc's label. Of a line the same key wherever on it.
+std::optional<HandleKey> Editor::State::pointedAt(const PointerInput& input) const {
+  if (const auto grip = gripAt(input)) {
+    const auto* onLine = std::get_if<HandleRef>(&*grip);
+    return onLine != nullptr ? keyOf(drawn.lines[onLine->line], true) : keyOf(*grip);
+  }
+  for (const PlacedHandle& handle : drawn.others) {
+    if (handle.arc && handle.box.contains(input.screen)) return keyOf(handle);
+  }
+  const auto line = hitLine(drawn.lines, input.screen, kPointAtPx);
+  return line ? std::optional(keyOf(drawn.lines[*line], true)) : std::nullopt;
 }
 
 HandleKey Editor::State::keyOf(const PlacedLine& line, bool atEnd) const {
@@ -270,9 +283,7 @@ void Editor::State::cancelHandleGesture() {
 /// Marks what the pointer rests on, in the lines as they are now.
 void Editor::State::updateHover() {
   std::optional<HandleKey> now;
-  if (hoverAt && !handleGesture && !cameraGesture) {
-    if (const auto hit = gripAt(*hoverAt)) now = keyOf(*hit);
-  }
+  if (hoverAt && !handleGesture && !cameraGesture) now = pointedAt(*hoverAt);
   if (now == hovered) return;
   hoveredBefore = hovered;
   hovered = now;

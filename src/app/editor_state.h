@@ -82,7 +82,7 @@ struct Editor::State {
   std::optional<Placer::Memory> recall;  ///< to be put back before lines are placed again
   std::optional<CameraGesture> cameraGesture;
   std::optional<PointerInput> hoverAt;
-  std::optional<HandleKey> hovered, hoveredBefore;
+  std::optional<HandleKey> hovered, hoveredBefore;  ///< a line by its end, wherever on it the pointer is
   double hoverChangedMs = 0;
 
   // --- Frames ---
@@ -152,6 +152,7 @@ struct Editor::State {
 
   // editor_input.cpp
   [[nodiscard]] std::optional<GripRef> gripAt(const PointerInput& input) const;
+  [[nodiscard]] std::optional<HandleKey> pointedAt(const PointerInput& input) const;
   [[nodiscard]] HandleKey keyOf(const PlacedLine& line, bool atEnd) const;
   [[nodiscard]] HandleKey keyOf(const PlacedHandle& handle) const;
   [[nodiscard]] HandleKey keyOf(const GripRef& grip) const;

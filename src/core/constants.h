@@ -248,4 +248,7 @@ inline constexpr double kDefaultFovRad = 0.6108652381980153;
 inline constexpr double kGrabRadiusMousePx = 14.0;
 inline constexpr double kGrabRadiusTouchPx = 26.0;
 
+/// px. How far from a line, between its arrowheads, a mouse still points at it. Larger: lines light up under a mouse that is on its way elsewhere.
+inline constexpr double kPointAtPx = 6.0;
+
 }  // namespace dimline

@@ -27,6 +27,20 @@ std::optional<HandleRef> hitHandle(std::span<const PlacedLine> lines, const Vec2
   return nearest;
 }
 
+std::optional<std::size_t> hitLine(std::span<const PlacedLine> lines, const Vec2& screen, double radiusPx) {
+  std::optional<std::size_t> nearest;
+  double nearestPx = radiusPx;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    if (lines[i].label && lines[i].label->contains(screen)) return i;
+    const double distancePx = distanceBetween(screen, lines[i].lineScreen);
+    if (distancePx < nearestPx) {
+      nearest = i;
+      nearestPx = distancePx;
+    }
+  }
+  return nearest;
+}
+
 std::optional<std::size_t> hitArc(std::span<const PlacedHandle> handles, const View& view, const Vec2& screen, double radiusPx) {
   std::optional<std::size_t> nearest;
   double nearestPx = radiusPx;

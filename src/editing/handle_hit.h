@@ -23,6 +23,10 @@ Vec2 arrowMiddle(const Segment2& lineScreen, const Handle& handle);
 /// when `screen` is not a number.
 std::optional<HandleRef> hitHandle(std::span<const PlacedLine> lines, const Vec2& screen, double radiusPx);
 
+/// The line that a pointer at `screen` points at without taking hold of it: over whose label it is, or else the nearest within
+/// `radiusPx` (kPointAtPx). Nothing when there is none, or when `screen` is not a number.
+std::optional<std::size_t> hitLine(std::span<const PlacedLine> lines, const Vec2& screen, double radiusPx);
+
 /// The angular handle that a pointer takes hold of, by index into `handles`: as hitHandle(), and nearer than `radiusPx`. `view`: the one they are drawn in.
 std::optional<std::size_t> hitArc(std::span<const PlacedHandle> handles, const View& view, const Vec2& screen, double radiusPx);
 

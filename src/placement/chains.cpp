@@ -76,13 +76,20 @@ std::vector<Cluster> clusterBaseLines(const Annotation& annotation, std::span<co
           cluster = &clusters.emplace_back();
           cluster->along = along;
           cluster->plane = plane;
-          cluster->faces = line.faces;
         }
         cluster->members.push_back({.scope = scope, .segment = line.segment});
       }
     }
   }
-  for (Cluster& cluster : clusters) measure(cluster);
+  for (Cluster& cluster : clusters) {
+    measure(cluster);
+    for (std::size_t side = 0; side < 2; ++side) {
+      const ChainMember& nearest = cluster.members[cluster.nearestFirst[side].front()];
+      for (const BaseLine& line : baseLines(annotation, scopes[nearest.scope].box, anyView)) {
+        if (line.segment.start == nearest.segment.start && line.segment.end == nearest.segment.end) cluster.faces[side] = line.faces;
+      }
+    }
+  }
   return clusters;
 }
 
@@ -106,7 +113,7 @@ BaseLine chainBaseLine(const Cluster& cluster, int side) {
   BaseLine line;
   line.segment = cluster.sides[static_cast<std::size_t>(side)];
   line.number = side;
-  line.faces = cluster.faces;
+  line.faces = cluster.faces[static_cast<std::size_t>(side)];
   ScopePlane plane = cluster.plane;
   if (side == 0) plane.across = -plane.across;
   line.scopePlanes.push_back(plane);

@@ -25,9 +25,9 @@ struct ChainMember {
 struct Cluster {
   Vec3 along{0.0};
   ScopePlane plane;                 ///< `across` is the direction from side 0 to side 1
-  FixedVector<Vec3, 2> faces;       ///< as of its first member: all are of one annotation
   std::vector<ChainMember> members;
   std::array<Segment, 2> sides;     ///< the chain base lines: the rectangle's two sides along the members
+  std::array<FixedVector<Vec3, 2>, 2> faces;   ///< of each side: outward normals of the faces that meet in the member nearest to it
   /// For each side the members' indices, nearest to that side first: in this order they are projected.
   std::array<std::vector<std::uint32_t>, 2> nearestFirst;
 };

@@ -24,10 +24,25 @@ double halfExtent(const Vec2& halfSize, const Vec2& normal) {
 
 Box2 boxAround(const Vec2& center, const Vec2& size) { return {center - size * 0.5, center + size * 0.5}; }
 
-/// Eighths of the way from a line's middle to either end at which a label is tried, in this order: in few large steps first, so that a label does not slide to and fro with what passes by, then between
-/// them. More of them: fewer lines have no room for their label.
+/// At how many eighths of the way from a line's middle to either end a label is tried.
 constexpr int kEighths = 8;
-constexpr std::array<std::int8_t, 2 * kEighths + 1> kPlacesAlong = {0, -4, 4, -8, 8, -2, 2, -6, 6, -1, 1, -3, 3, -5, 5, -7, 7};
+
+/// All places in the order of preference. Along the line in few large steps first, so that a label does not slide to and fro with what passes by, then between them. More of them: fewer lines have no room
+/// for their label.
+constexpr auto kOrder = [] {
+  using enum LabelPlace::Side;
+  constexpr std::array<std::int8_t, 2 * kEighths + 1> kAlong = {0, -4, 4, -8, 8, -2, 2, -6, 6, -1, 1, -3, 3, -5, 5, -7, 7};
+  std::array<LabelPlace, 3 * kAlong.size() + 2> order;
+  auto next = order.begin();
+  for (const std::int8_t eighth : kAlong) *next++ = {.side = kOnLine, .eighth = eighth};
+  *next++ = {.side = kBeyondEnd};
+  *next++ = {.side = kBeyondStart};
+  for (const std::int8_t eighth : kAlong) {
+    *next++ = {.side = kOutward, .eighth = eighth};
+    *next++ = {.side = kInward, .eighth = eighth};
+  }
+  return order;
+}();
 
 /// The places of a label on one line.
 class Places {
@@ -90,28 +105,21 @@ std::optional<LabelFound> placeLabel(const LabelRequest& request, const Landed& 
   const auto visible = clipped(request.line, viewport.grown(-kViewportMarginPx));
   if (!visible) return std::nullopt;
   const Places places(request, *visible, landed, viewport);
-  std::optional<LabelFound> found;
-  const auto tryAt = [&](LabelPlace::Side side, int eighth, bool overExtensions) {
-    found = places.tryAt({side, static_cast<std::int8_t>(eighth), overExtensions});
-    return found.has_value();
-  };
-  using enum LabelPlace::Side;
   if (request.last) {
-    const auto [side, eighth, overExtensions] = *request.last;
-    if (tryAt(side, eighth, overExtensions)) return found;
-    // Where it was something is in its way now: it goes as little along the line as it can.
-    for (int by = 1; side == kOnLine && by <= 2 * kEighths; ++by) {
-      if (eighth - by >= -kEighths && tryAt(side, eighth - by, overExtensions)) return found;
-      if (eighth + by <= kEighths && tryAt(side, eighth + by, overExtensions)) return found;
+    // Where something is in its way now it goes as little along the line as it can.
+    const int most = request.last->side == LabelPlace::Side::kOnLine ? 2 * kEighths : 0;
+    for (int by = 0; by <= most; ++by) {
+      for (const int eighth : {request.last->eighth - by, request.last->eighth + by}) {
+        if (std::abs(eighth) > kEighths) continue;
+        LabelPlace place = *request.last;
+        place.eighth = static_cast<std::int8_t>(eighth);
+        if (const auto found = places.tryAt(place)) return found;
+      }
     }
   }
-  const bool over = request.overExtensions;
-  for (const int eighth : kPlacesAlong) {
-    if (tryAt(kOnLine, eighth, over)) return found;
-  }
-  if (tryAt(kBeyondEnd, 0, over) || tryAt(kBeyondStart, 0, over)) return found;
-  for (const int eighth : kPlacesAlong) {
-    if (tryAt(kOutward, eighth, over) || tryAt(kInward, eighth, over)) return found;
+  for (LabelPlace place : kOrder) {
+    place.overExtensions = request.overExtensions;
+    if (const auto found = places.tryAt(place)) return found;
   }
   return std::nullopt;
 }

@@ -41,7 +41,7 @@ struct OverlayLine {
   std::optional<ExtensionDepths> extensionDepths;
   bool sphereEnds = false;                  ///< balls about the ends in place of arrowheads
   std::optional<glm::vec4> color;           ///< of the line and its fixed ends, in place of the theme's
-  bool hovered = false;                     ///< the pointer is over a handle of it
+  bool hovered = false;                     ///< the pointer is over it
   bool active = false;                      ///< being dragged
   float opacity = 1.0F;                     ///< 0 to 1
   float handleScale = 1.0F;                 ///< size of the draggable arrowheads; 1 at rest

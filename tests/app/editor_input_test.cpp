@@ -195,6 +195,35 @@ TEST_CASE("a handle under a resting pointer is marked, and grows a little later"
   for (const auto& state : stage.editor.lineStates()) REQUIRE_FALSE(state.hovered);
 }
 
+TEST_CASE("a line under a resting pointer, or its number, is marked like its handle, and is not taken hold of") {
+  FrontStage stage;
+  const PlacedLine width = *stage.line("Width");
+  const auto hovered = [&] { return std::ranges::count_if(stage.editor.lineStates(), &Editor::LineState::hovered); };
+  REQUIRE(width.label);
+  const Vec2 number = width.label->center();
+  const Vec2 shaft = width.lineScreen.start + (width.lineScreen.end - width.lineScreen.start) * 0.2;
+  for (const Vec2& at : {number, shaft, shaft + Vec2(0, 4)}) {
+    CHECK(stage.editor.hover({.screen = at}) == PointerTarget::kNothing);
+    stage.settle();
+    CHECK(hovered() == 1);
+    stage.editor.endHover();
+    stage.settle();
+    CHECK(hovered() == 0);
+  }
+  stage.editor.hover({.screen = shaft + Vec2(0, 9)});
+  stage.settle();
+  CHECK(hovered() == 0);
+  // From the line to its handle nothing changes but what a press would do.
+  stage.editor.hover({.screen = shaft});
+  stage.settle();
+  CHECK(stage.editor.hover({.screen = stage.handle("Width")}) == PointerTarget::kHandle);
+  CHECK(stage.editor.atRest());
+  stage.down(shaft);
+  stage.move(shaft + Vec2(25, 0));
+  stage.up(shaft + Vec2(25, 0));
+  CHECK(stage.value("Width") == 8);
+}
+
 TEST_CASE("a finger reaches farther than a mouse") {
   FrontStage stage;
   const Vec2 beside = stage.handle("Height") + Vec2(20, 6);

@@ -143,6 +143,9 @@ TEST_CASE("measures follow from the values, and have lines only when asked to, w
   REQUIRE(measure.text == "5.00 m");
   REQUIRE(measure.handles.empty());
   REQUIRE(stage.editor.hover({.screen = measure.lineScreen.end}) == PointerTarget::kNothing);
+  stage.settle();
+  REQUIRE(stage.editor.lineStates().back().hovered);   // pointed at, not taken hold of
+  stage.editor.endHover();
   REQUIRE(stage.editor.model().parameters().size() == 5);
 
   stage.set("Height", 6.5);

@@ -59,6 +59,17 @@ TEST_CASE("a line with handles at both ends has both") {
   REQUIRE(hitHandle(lines, {105, 50}, 14) == HandleRef{0, 1});
 }
 
+TEST_CASE("a pointer points at the nearest line within the radius, or at the one whose label it is over") {
+  std::vector<PlacedLine> lines{lineBetween({100, 50}, {200, 50}, false), lineBetween({100, 60}, {200, 60}, false)};
+  REQUIRE(hitLine(lines, {150, 44.01}, 6) == 0u);
+  REQUIRE_FALSE(hitLine(lines, {150, 44}, 6));
+  REQUIRE(hitLine(lines, {150, 56}, 6) == 1u);
+  REQUIRE_FALSE(hitLine(lines, {206, 50}, 6));
+  lines[1].label = Box2{{140, 40}, {160, 48}};
+  REQUIRE(hitLine(lines, {150, 47}, 6) == 1u);
+  REQUIRE_FALSE(hitLine(lines, {std::numeric_limits<double>::quiet_NaN(), 50}, 6));
+}
+
 TEST_CASE("a pointer that is nowhere takes hold of nothing") {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const std::vector<PlacedLine> lines{lineBetween({100, 50}, {200, 50}, true)};
