@@ -123,6 +123,8 @@ inline constexpr double kScoreBehindScope = -25.0 * kHandleSpacingPx;
 inline constexpr double kBehindScopeSin = 0.15;
 /// Attempts at a moved frame, each about as long as placing it. More find more and cost more.
 inline constexpr int kMendingAttempts = 2;
+/// How often a first picture is placed, the later times with a view to what was placed before. More: fewer lines across others' extension lines, and fewer of those through numbers; it takes longer.
+inline constexpr int kFirstPictureRounds = 3;
 /// Moved frames after which any line may look for a better place, though nothing is amiss with it.
 inline constexpr int kFramesToLookAround = 3;
 

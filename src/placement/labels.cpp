@@ -55,12 +55,13 @@ class Places {
     if (glm::dot(normal_, request.outward) < 0) normal_ = -normal_;
   }
 
-  std::optional<LabelFound> tryAt(const LabelPlace& place) const {
+  std::optional<LabelFound> tryAt(const LabelPlace& place, const LookAhead* ahead) const {
     if (!exists(place)) return std::nullopt;
     const Box2 box = boxAround(center(place), request_.textSize);
     if (!allowed_.contains(box.min) || !allowed_.contains(box.max)) return std::nullopt;
     if (request_.model != nullptr && !clears(*request_.model, box.grown(kLabelClearancePx))) return std::nullopt;
     if (!landed_.hasRoom(box, place.overExtensions)) return std::nullopt;
+    if (ahead != nullptr && !ahead->leavesRoom(box)) return std::nullopt;
     return LabelFound{box, place};
   }
 
@@ -105,23 +106,28 @@ std::optional<LabelFound> placeLabel(const LabelRequest& request, const Landed& 
   const auto visible = clipped(request.line, viewport.grown(-kViewportMarginPx));
   if (!visible) return std::nullopt;
   const Places places(request, *visible, landed, viewport);
-  if (request.last) {
+  const auto search = [&](const LookAhead* ahead) -> std::optional<LabelFound> {
     // Where something is in its way now it goes as little along the line as it can.
-    const int most = request.last->side == LabelPlace::Side::kOnLine ? 2 * kEighths : 0;
-    for (int by = 0; by <= most; ++by) {
+    const bool alongLine = request.last && request.last->side == LabelPlace::Side::kOnLine;
+    for (int by = 1; alongLine && by <= 2 * kEighths; ++by) {
       for (const int eighth : {request.last->eighth - by, request.last->eighth + by}) {
         if (std::abs(eighth) > kEighths) continue;
         LabelPlace place = *request.last;
         place.eighth = static_cast<std::int8_t>(eighth);
-        if (const auto found = places.tryAt(place)) return found;
+        if (const auto found = places.tryAt(place, ahead)) return found;
       }
     }
+    for (LabelPlace place : kOrder) {
+      place.overExtensions = request.overExtensions;
+      if (const auto found = places.tryAt(place, ahead)) return found;
+    }
+    return std::nullopt;
+  };
+  if (request.last) {
+    if (const auto found = places.tryAt(*request.last, nullptr)) return found;
   }
-  for (LabelPlace place : kOrder) {
-    place.overExtensions = request.overExtensions;
-    if (const auto found = places.tryAt(place)) return found;
-  }
-  return std::nullopt;
+  const auto clear = search(request.ahead);
+  return clear || request.ahead == nullptr ? clear : search(nullptr);
 }
 
 }  // namespace dimline

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "placement/landed.h"
+#include "placement/look_ahead.h"
 #include "silhouette/distance_fields.h"
 
 namespace dimline {
@@ -19,6 +19,7 @@ struct LabelRequest {
   const DistanceFields* model = nullptr;   ///< the label clears these fields; null when the line lies inside the model
   bool overExtensions = false;    ///< extension lines may run under it
   bool inChain = false;           ///< beyond its ends lie the chain's other members: only on the line and beside it
+  const LookAhead* ahead = nullptr;   ///< the label keeps off what is ahead where it can
   std::optional<LabelPlace> last = {};   ///< where it was in the last frame, to be left only when there is no room any more
 };
 

@@ -71,16 +71,27 @@ void LookAhead::reach(std::size_t rank) {
   free_.resize(outside_.marks[rank].lines);
 }
 
-bool LookAhead::shadows(const Segment2& foot, const Segment2& line) const {
-  const auto comesBetween = [&](ViewportEdge edge, const Segment2& of) {
-    return standsBefore(line, kHandleSpacingPx - kSlackPx, edge, of) || standsBefore({foot.start, line.start}, kExtensionClearancePx, edge, of) ||
-           standsBefore({foot.end, line.end}, kExtensionClearancePx, edge, of);
-  };
+/// Whether a line ahead that stood free towards a viewport edge does so towards none any more. `comesBetween(edge, line)`: whether something comes between the two.
+template <typename ComesBetween>
+bool LookAhead::shadowsAny(ComesBetween comesBetween) const {
   return std::ranges::any_of(free_, [&](const Free& free) {
     return free.edges != 0 && std::ranges::none_of(kViewportEdges, [&](ViewportEdge edge) {
              return (free.edges & bit(edge)) != 0 && !comesBetween(edge, free.line);
            });
   });
+}
+
+bool LookAhead::shadows(const Segment2& foot, const Segment2& line) const {
+  return shadowsAny([&](ViewportEdge edge, const Segment2& of) {
+    return standsBefore(line, kHandleSpacingPx - kSlackPx, edge, of) || standsBefore({foot.start, line.start}, kExtensionClearancePx, edge, of) ||
+           standsBefore({foot.end, line.end}, kExtensionClearancePx, edge, of);
+  });
+}
+
+bool LookAhead::shadows(const Box2& label) const {
+  const double middle = label.center().y;
+  const double growPx = 0.5 * (label.max.y - label.min.y) + kLabelClearancePx;
+  return shadowsAny([&](ViewportEdge edge, const Segment2& of) { return standsBefore({{label.min.x, middle}, {label.max.x, middle}}, growPx, edge, of); });
 }
 
 bool LookAhead::crowds(const Segment2& line) const { return outside_.ahead.comesWithin(kHandleSpacingPx - kSlackPx, line); }

@@ -31,9 +31,15 @@ class LookAhead {
   [[nodiscard]] bool runsIntoInside(const Segment2& base) const { return inside_.ahead.runsInto(base); }
   /// A base line of this frame is shown inside the model.
   void noteInside(std::size_t parameter, const Segment& base) { inside_.present.push_back({parameter, base, base, base}); }
+  /// Whether a label's box keeps kLabelClearancePx from the lines ahead, inside the model too, and from their extension lines, and shadows none of them.
+  [[nodiscard]] bool leavesRoom(const Box2& label) const { return outside_.ahead.hasRoom(label) && inside_.ahead.hasRoom(label) && !shadows(label); }
   void forget();
 
  private:
+  [[nodiscard]] bool shadows(const Box2& label) const;
+  template <typename ComesBetween>
+  [[nodiscard]] bool shadowsAny(ComesBetween comesBetween) const;
+
   struct Line {
     std::size_t parameter = 0;
     Segment base, foot, line;

@@ -141,6 +141,7 @@ struct Placer::State {
 
   void keepChains(std::span<const Measured> before, const Measured& now);
   bool beginFrame(const View& view);
+  void placeOnce(const FrameToPlace& frame, bool sceneChanged, Layout& layout);
   void mend(const FrameToPlace& frame, Layout& layout);
   void swapWithBest(Layout& layout);
   void placeWithRoom(const FrameToPlace& frame, Layout& layout);
@@ -264,11 +265,11 @@ void Placer::place(const View& view, const DistanceFields& fields, const Values&
   State& s = *state_;
   const double turnRad = s.past.view ? turnBetween(*s.past.view, view) : 0.0;
   if (turnRad > kForgetTurnRad) forget();
+  const bool first = !s.past.view;
   const bool sceneChanged = std::exchange(s.past.sceneChanged, false);
   // An edit is not part of the movement before it.
   s.foresight.begin(sceneChanged ? std::nullopt : s.past.view, view, s.bounds, s.objectPlanes, s.toleranceM);
   const bool viewMoved = s.beginFrame(view);
-  s.past.lookAhead.begin(s.order, view, fields, viewMoved || sceneChanged);
   // In another scene a scope has no past: what an edit covers is hidden at once, and what it lays open is shown.
   s.findVisible(view, visibility, sceneChanged ? kReturnFrames : viewMoved ? std::max(static_cast<int>(turnRad / kFrameTurnRad), 1) : 0);
   facePlanes(s.objectPlanes, view, s.objectPlaneUses);
@@ -277,11 +278,14 @@ void Placer::place(const View& view, const DistanceFields& fields, const Values&
   // What was edited, and a line that was let go of, may find another place at once.
   const bool wasHeld = std::exchange(s.past.held, !held.empty());
   s.firm = !sceneChanged && held.empty() && !wasHeld;
-  const bool mends = s.firm && viewMoved;
-  if (mends) s.beforeAttempts = s.past;
   s.occupied.begin(fields);
-  s.placeWithRoom(frame, layout);
-  if (mends) s.mend(frame, layout);
+  s.placeOnce(frame, sceneChanged, layout);
+  // Nothing was known of what is ahead in a first picture, and nothing was mended: others of the same view make up for that.
+  for (int round = 1; first && held.empty() && round < kFirstPictureRounds; ++round) {
+    s.firm = true;
+    for (History& history : s.past.histories) history.age();
+    s.placeOnce(frame, false, layout);
+  }
   s.past.labels.note(layout.lines, viewMoved);
 
   layout.view = view;
@@ -289,6 +293,15 @@ void Placer::place(const View& view, const DistanceFields& fields, const Values&
   for (std::size_t i = 0; i < s.scopes.size(); ++i) {
     if (s.seen[i] != 0) layout.visibleScopes.push_back(i);
   }
+}
+
+/// A round of placing everything, and of mending it where lines keep their places.
+void Placer::State::placeOnce(const FrameToPlace& frame, bool sceneChanged, Layout& layout) {
+  past.lookAhead.begin(order, frame.view, frame.fields, frame.viewMoved || sceneChanged);
+  const bool mends = firm && frame.viewMoved;
+  if (mends) beforeAttempts = past;
+  placeWithRoom(frame, layout);
+  if (mends) mend(frame, layout);
 }
 
 /// Other attempts at the frame that has been placed, in each of which one line must find another place; the best one stays.

@@ -178,6 +178,7 @@ bool Trial::placeLabels(const Candidate& candidate, const Measured& measured, co
                          .outward = candidate.lineScreen.middle() - candidate.baseScreen.middle(),
                          .model = &context.model,
                          .inChain = lines_.size() > 1,
+                         .ahead = &context.lookAhead,
                          .last = context.labels.last(identity, i, context.viewMoved)};
     const auto find = [&] {
       const auto found = placeLabel(request, context.occupied.landed(), context.view.viewport());

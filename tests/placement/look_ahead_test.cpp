@@ -1,5 +1,6 @@
 #include <catch2/catch.hpp>
 
+#include "placement/labels.h"
 #include "placement/look_ahead.h"
 
 using namespace dimline;
@@ -129,4 +130,50 @@ TEST_CASE("a base line inside keeps off those of later lines that were inside, a
   stage.begin(true);
   stage.lookAhead.reach(0);
   CHECK_FALSE(stage.lookAhead.runsIntoInside(screen(500, 450, 500, 550)));   // it was not inside in the last frame
+}
+
+TEST_CASE("a label leaves room for what is ahead: lines, their extension lines, lines inside, and the way to the edge that a line is seen from") {
+  TwoLines stage;
+  for (const ViewportEdge edge : {ViewportEdge::kLeft, ViewportEdge::kRight}) {
+    for (std::size_t i = 300; i < 400; ++i) stage.model[edge].edit()[i] = 400;
+  }
+  stage.model.buildTrees();
+  stage.begin(true);
+  stage.lookAhead.note(1, world(420, 400, 580, 400), world(420, 400, 580, 400), world(420, 350, 580, 350));   // seen from above alone
+  stage.lookAhead.noteInside(1, world(420, 500, 580, 500));
+  stage.begin(true);
+  stage.lookAhead.reach(0);
+  const auto leavesRoom = [&](double x, double y) { return stage.lookAhead.leavesRoom({{x - 10, y - 5}, {x + 10, y + 5}}); };
+  CHECK_FALSE(leavesRoom(500, 350));   // on the line
+  CHECK_FALSE(leavesRoom(420, 375));   // on an extension line
+  CHECK_FALSE(leavesRoom(500, 500));   // on the line inside
+  CHECK_FALSE(leavesRoom(500, 200));   // between the line and the edge
+  CHECK(leavesRoom(500, 375));
+  CHECK(leavesRoom(300, 350));
+  stage.lookAhead.reach(1);
+  CHECK(leavesRoom(500, 350));
+}
+
+TEST_CASE("a label keeps off what is ahead where it can, but for where it was") {
+  TwoLines stage;
+  stage.begin(true);
+  stage.lookAhead.note(1, world(100, 400, 300, 400), world(100, 400, 300, 400), world(100, 100, 300, 100));   // its extension lines at x = 100 and 300
+  stage.begin(true);
+  stage.lookAhead.reach(0);
+  LabelRequest request{.line = screen(150, 300, 450, 300), .textSize = {48, 16}, .ahead = &stage.lookAhead};
+  const Box2 viewport{{0, 0}, {1000, 1000}};
+  const auto found = placeLabel(request, Landed{}, viewport);
+  REQUIRE(found);
+  CHECK(found->place.side == LabelPlace::Side::kOnLine);
+  CHECK(found->place.eighth == -4);
+  request.last = LabelPlace{};
+  CHECK(placeLabel(request, Landed{}, viewport)->place == LabelPlace{});
+  // Where nothing else is free it stays on the line.
+  request.last.reset();
+  Landed landed;
+  for (const double y : {284.0, 316.0}) landed.addLabel({{0, y - 2}, {600, y + 2}});
+  for (const double x : {200.0, 400.0}) landed.addLabel({{x - 40, 299}, {x + 40, 301}});
+  landed.addLabel({{100, 299}, {140, 301}});
+  landed.addLabel({{460, 299}, {520, 301}});
+  CHECK(placeLabel(request, landed, viewport)->place.side == LabelPlace::Side::kOnLine);
 }
