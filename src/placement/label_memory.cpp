@@ -14,10 +14,10 @@ const LabelMemory::Label* LabelMemory::find(const Identity& line, std::size_t nt
   return found != labels_.end() ? &*found : nullptr;
 }
 
-std::optional<LabelPlace> LabelMemory::last(const Identity& line, std::size_t nth, bool viewMoved) const {
+std::optional<LastLabelPlace> LabelMemory::last(const Identity& line, std::size_t nth, bool viewMoved) const {
   const Label* label = find(line, nth);
-  if (label == nullptr || (viewMoved && label->framesHeld >= kReturnFrames)) return std::nullopt;
-  return label->place;
+  if (label == nullptr) return std::nullopt;
+  return LastLabelPlace{label->place, viewMoved && label->framesHeld >= kReturnFrames};
 }
 
 void LabelMemory::note(std::span<const PlacedLine> lines, bool viewMoved) {

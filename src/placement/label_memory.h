@@ -8,13 +8,18 @@
 
 namespace dimline {
 
+/// Where a label lay on its line in the last frame.
+struct LastLabelPlace {
+  LabelPlace place;
+  bool mayLeave = false;   ///< for a better place; or else only when there is no room any more
+};
+
 /// Where labels lay on their lines in the last frame. Of several places a label would take the first that is free just now, and hop along its line with all that passes by; so it is looked for where it was, and
 /// goes to a better place only after kReturnFrames moved frames. Beyond the paper, whose figures have labels but no rule for them.
 class LabelMemory {
  public:
-  /// Where the label of a line shall be looked for first: nowhere when it had none, the line was elsewhere, or the label has stayed for long enough and the view has moved. `nth`: which of its parameter's
-  /// lines it is, to be found sooner.
-  [[nodiscard]] std::optional<LabelPlace> last(const Identity& line, std::size_t nth, bool viewMoved) const;
+  /// Of a line that had a label and keeps its place. The label may leave when it has stayed for kReturnFrames and the view has moved. `nth`: which of its parameter's lines it is, to be found sooner.
+  [[nodiscard]] std::optional<LastLabelPlace> last(const Identity& line, std::size_t nth, bool viewMoved) const;
   /// The frame is placed.
   void note(std::span<const PlacedLine> lines, bool viewMoved);
   void forget() { labels_.clear(); }

@@ -108,11 +108,11 @@ std::optional<LabelFound> placeLabel(const LabelRequest& request, const Landed& 
   const Places places(request, *visible, landed, viewport);
   const auto search = [&](const LookAhead* ahead) -> std::optional<LabelFound> {
     // Where something is in its way now it goes as little along the line as it can.
-    const bool alongLine = request.last && request.last->side == LabelPlace::Side::kOnLine;
+    const bool alongLine = request.last && !request.last->mayLeave && request.last->place.side == LabelPlace::Side::kOnLine;
     for (int by = 1; alongLine && by <= 2 * kEighths; ++by) {
-      for (const int eighth : {request.last->eighth - by, request.last->eighth + by}) {
+      LabelPlace place = request.last->place;
+      for (const int eighth : {request.last->place.eighth - by, request.last->place.eighth + by}) {
         if (std::abs(eighth) > kEighths) continue;
-        LabelPlace place = *request.last;
         place.eighth = static_cast<std::int8_t>(eighth);
         if (const auto found = places.tryAt(place, ahead)) return found;
       }
@@ -123,11 +123,13 @@ std::optional<LabelFound> placeLabel(const LabelRequest& request, const Landed& 
     }
     return std::nullopt;
   };
-  if (request.last) {
-    if (const auto found = places.tryAt(*request.last, nullptr)) return found;
-  }
-  const auto clear = search(request.ahead);
-  return clear || request.ahead == nullptr ? clear : search(nullptr);
+  const auto stay = [&] { return request.last ? places.tryAt(request.last->place, nullptr) : std::nullopt; };
+  std::optional<LabelFound> found;
+  if (request.last && !request.last->mayLeave) found = stay();
+  if (!found) found = search(request.ahead);
+  if (!found && request.ahead != nullptr) found = stay();
+  if (!found && request.ahead != nullptr) found = search(nullptr);
+  return found;
 }
 
 }  // namespace dimline

@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "placement/label_memory.h"
 #include "placement/look_ahead.h"
 #include "silhouette/distance_fields.h"
 
@@ -20,7 +21,7 @@ struct LabelRequest {
   bool overExtensions = false;    ///< extension lines may run under it
   bool inChain = false;           ///< beyond its ends lie the chain's other members: only on the line and beside it
   const LookAhead* ahead = nullptr;   ///< the label keeps off what is ahead where it can
-  std::optional<LabelPlace> last = {};   ///< where it was in the last frame, to be left only when there is no room any more
+  std::optional<LastLabelPlace> last = {};
 };
 
 struct LabelFound {
@@ -28,8 +29,9 @@ struct LabelFound {
   LabelPlace place;
 };
 
-/// The first place with room, in the order of preference: where it was, on the line as near by as can be, the middle of the line, along it, beyond its end, beyond its start, beside its middle, beside it further
-/// along. Within the viewport's margin, clear of the model and of all that has landed. Nothing when there is no such place.
+/// The first place with room, in the order of preference: the middle of the line, along it, beyond its end, beyond its start, beside its middle, beside it further along; and of those the first that leaves
+/// room for what is ahead, if there is one. Within the viewport's margin, clear of the model and of all that has landed. A label stays where it was if it can or, as long as it may not leave, goes along the
+/// line as little as it must; one that may leave does so only for a place that leaves room for what is ahead. Nothing when there is no place.
 std::optional<LabelFound> placeLabel(const LabelRequest& request, const Landed& landed, const Box2& viewport);
 
 /// Length (px) of a line that its label covers when it rides on it.

@@ -155,10 +155,13 @@ bool Landed::hasRoom(const Segment2& line, int guide) const {
          std::ranges::none_of(labels_, [&](const Box2& label) { return meets(line, label.grown(kLabelClearancePx)); });
 }
 
+bool Landed::clearsExtensions(const Box2& label) const {
+  return std::ranges::none_of(extensions_, [grown = label.grown(kLabelClearancePx)](const Extension& e) { return meets(e.segment, grown); });
+}
+
 bool Landed::hasRoom(const Box2& label, bool overExtensions) const {
   const Box2 grown = label.grown(kLabelClearancePx);
-  return std::ranges::none_of(lines_, [&](const Line& l) { return meets(l.segment, grown); }) &&
-         (overExtensions || std::ranges::none_of(extensions_, [&](const Extension& e) { return meets(e.segment, grown); })) &&
+  return std::ranges::none_of(lines_, [&](const Line& l) { return meets(l.segment, grown); }) && (overExtensions || clearsExtensions(label)) &&
          std::ranges::none_of(labels_, [&](const Box2& other) { return grown.overlaps(other); });
 }
 

@@ -72,6 +72,8 @@ class Landed {
   /// Whether a line on a guide keeps handleSpacing from the lines of other guides and kLabelClearancePx from all labels, and crosses no extension line.
   [[nodiscard]] bool hasRoom(const Segment2& line, int guide) const;
 
+  /// Whether a label's box keeps kLabelClearancePx from every extension line.
+  [[nodiscard]] bool clearsExtensions(const Box2& label) const;
   /// Whether a label's box keeps kLabelClearancePx from every line, extension line and label that has landed; from lines and labels alone when extension lines may run under it.
   [[nodiscard]] bool hasRoom(const Box2& label, bool overExtensions = false) const;
 

@@ -12,8 +12,8 @@ constexpr double kSlackPx = 1.0;
 
 unsigned bit(ViewportEdge edge) { return 1U << static_cast<unsigned>(edge); }
 
-/// Whether a segment, grown by `growPx`, comes between a viewport edge and a line anywhere.
-bool standsBefore(const Segment2& s, double growPx, ViewportEdge edge, const Segment2& line) {
+/// Whether a segment, grown by `growPx`, comes anywhere between a viewport edge and a line, by more than `byPx`.
+bool standsBefore(const Segment2& s, double growPx, ViewportEdge edge, const Segment2& line, double byPx = 0) {
   const bool rows = edge == ViewportEdge::kLeft || edge == ViewportEdge::kRight;
   const int away = rows ? 0 : 1;
   const int along = 1 - away;
@@ -26,7 +26,7 @@ bool standsBefore(const Segment2& s, double growPx, ViewportEdge edge, const Seg
     if (std::abs(run) < 1.0) return std::min(sign * of.start[away], sign * of.end[away]);
     return sign * (of.start[away] + (of.end[away] - of.start[away]) * std::clamp((at - of.start[along]) / run, 0.0, 1.0));
   };
-  return distanceAt(s, from) - growPx < distanceAt(line, from) || distanceAt(s, to) - growPx < distanceAt(line, to);
+  return distanceAt(s, from) - growPx + byPx < distanceAt(line, from) || distanceAt(s, to) - growPx + byPx < distanceAt(line, to);
 }
 
 }  // namespace
@@ -39,7 +39,8 @@ void LookAhead::Lines::begin(std::size_t ranks, bool changed) {
   marks.resize(ranks);
 }
 
-void LookAhead::begin(std::span<const Measured> order, const View& view, const DistanceFields& model, bool changed) {
+void LookAhead::begin(std::span<const Measured> order, const View& view, const DistanceFields& model, bool changed, bool shown) {
+  if (changed) shown_ = shown;
   outside_.begin(order.size(), changed);
   inside_.begin(order.size(), changed);
   free_.clear();
@@ -89,9 +90,10 @@ bool LookAhead::shadows(const Segment2& foot, const Segment2& line) const {
 }
 
 bool LookAhead::shadows(const Box2& label) const {
+  const double mayMovePx = shown_ ? 0.0 : kLeapPx;
   const double middle = label.center().y;
   const double growPx = 0.5 * (label.max.y - label.min.y) + kLabelClearancePx;
-  return shadowsAny([&](ViewportEdge edge, const Segment2& of) { return standsBefore({{label.min.x, middle}, {label.max.x, middle}}, growPx, edge, of); });
+  return shadowsAny([&](ViewportEdge edge, const Segment2& of) { return standsBefore({{label.min.x, middle}, {label.max.x, middle}}, growPx, edge, of, mayMovePx); });
 }
 
 bool LookAhead::crowds(const Segment2& line) const { return outside_.ahead.comesWithin(kHandleSpacingPx - kSlackPx, line); }

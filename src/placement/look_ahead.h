@@ -13,8 +13,8 @@ namespace dimline {
 class LookAhead {
  public:
   /// A frame begins. `changed`: the view or the scene is another than in the last frame; before a still camera the same lines are looked at again, so that
-  /// nothing moves with time alone.
-  void begin(std::span<const Measured> order, const View& view, const DistanceFields& model, bool changed);
+  /// nothing moves with time alone. `shown`: somebody saw that frame, and would see lines give way to labels; nobody sees the first rounds of a first picture.
+  void begin(std::span<const Measured> order, const View& view, const DistanceFields& model, bool changed, bool shown = true);
   /// It is the turn of the parameter of that rank in the order: lines up to its own are no longer ahead.
   void reach(std::size_t rank);
   [[nodiscard]] Landed::Crossings crossings(const Segment2& base, const Segment2& foot, const Segment2& line) const {
@@ -31,8 +31,10 @@ class LookAhead {
   [[nodiscard]] bool runsIntoInside(const Segment2& base) const { return inside_.ahead.runsInto(base); }
   /// A base line of this frame is shown inside the model.
   void noteInside(std::size_t parameter, const Segment& base) { inside_.present.push_back({parameter, base, base, base}); }
-  /// Whether a label's box keeps kLabelClearancePx from the lines ahead, inside the model too, and from their extension lines, and shadows none of them.
-  [[nodiscard]] bool leavesRoom(const Box2& label) const { return outside_.ahead.hasRoom(label) && inside_.ahead.hasRoom(label) && !shadows(label); }
+  /// Whether a label's box keeps kLabelClearancePx from the extension lines ahead and from the lines inside the model, and no line ahead has to give way to it; where nobody sees it, one may, but not far.
+  [[nodiscard]] bool leavesRoom(const Box2& label) const {
+    return (shown_ ? outside_.ahead.hasRoom(label) : outside_.ahead.clearsExtensions(label)) && inside_.ahead.hasRoom(label) && !shadows(label);
+  }
   void forget();
 
  private:
@@ -59,6 +61,7 @@ class LookAhead {
     Segment2 line;
     unsigned edges = 0;   ///< bit set of the viewport edges from which it is seen past the model
   };
+  bool shown_ = true;
   std::vector<Free> free_;            ///< the lines of `outside_.ahead`, in its order
 };
 

@@ -141,7 +141,7 @@ struct Placer::State {
 
   void keepChains(std::span<const Measured> before, const Measured& now);
   bool beginFrame(const View& view);
-  void placeOnce(const FrameToPlace& frame, bool sceneChanged, Layout& layout);
+  void placeOnce(const FrameToPlace& frame, bool sceneChanged, bool shown, Layout& layout);
   void mend(const FrameToPlace& frame, Layout& layout);
   void swapWithBest(Layout& layout);
   void placeWithRoom(const FrameToPlace& frame, Layout& layout);
@@ -279,12 +279,12 @@ void Placer::place(const View& view, const DistanceFields& fields, const Values&
   const bool wasHeld = std::exchange(s.past.held, !held.empty());
   s.firm = !sceneChanged && held.empty() && !wasHeld;
   s.occupied.begin(fields);
-  s.placeOnce(frame, sceneChanged, layout);
+  s.placeOnce(frame, sceneChanged, true, layout);
   // Nothing was known of what is ahead in a first picture, and nothing was mended: others of the same view make up for that.
   for (int round = 1; first && held.empty() && round < kFirstPictureRounds; ++round) {
     s.firm = true;
     for (History& history : s.past.histories) history.age();
-    s.placeOnce(frame, false, layout);
+    s.placeOnce(frame, false, false, layout);
   }
   s.past.labels.note(layout.lines, viewMoved);
 
@@ -295,9 +295,9 @@ void Placer::place(const View& view, const DistanceFields& fields, const Values&
   }
 }
 
-/// A round of placing everything, and of mending it where lines keep their places.
-void Placer::State::placeOnce(const FrameToPlace& frame, bool sceneChanged, Layout& layout) {
-  past.lookAhead.begin(order, frame.view, frame.fields, frame.viewMoved || sceneChanged);
+/// A round of placing everything, and of mending it where lines keep their places. `shown`: what was placed before.
+void Placer::State::placeOnce(const FrameToPlace& frame, bool sceneChanged, bool shown, Layout& layout) {
+  past.lookAhead.begin(order, frame.view, frame.fields, frame.viewMoved || sceneChanged, shown);
   const bool mends = firm && frame.viewMoved;
   if (mends) beforeAttempts = past;
   placeWithRoom(frame, layout);

@@ -92,11 +92,11 @@ TEST_CASE("a label that would leave the viewport goes elsewhere, and where nothi
 
 TEST_CASE("a label stays where it was, or as near by as it can, though places before that are free") {
   LabelRequest request{.line = {{100, 500}, {300, 500}}, .textSize = kText};
-  request.last = LabelPlace{.side = LabelPlace::Side::kOnLine, .eighth = 4};
+  request.last = LastLabelPlace{.place = {.side = LabelPlace::Side::kOnLine, .eighth = 4}};
   Landed landed;
   auto found = placeLabel(request, landed, kViewport);
   REQUIRE(found);
-  CHECK(found->place == *request.last);
+  CHECK(found->place == request.last->place);
   CHECK(found->box.center().x == Approx(200 + 56 * 0.5));
   // What comes there leaves room at the middle, and further away on the other side.
   landed.add(placed({{232, 400}, {232, 600}}), -1);
@@ -104,8 +104,8 @@ TEST_CASE("a label stays where it was, or as near by as it can, though places be
   REQUIRE(found);
   CHECK(found->place.side == LabelPlace::Side::kOnLine);
   CHECK(found->place.eighth == 0);
-  request.last = LabelPlace{.side = LabelPlace::Side::kInward};
-  CHECK(placeLabel(request, landed, kViewport)->place == *request.last);
+  request.last = LastLabelPlace{.place = {.side = LabelPlace::Side::kInward}};
+  CHECK(placeLabel(request, landed, kViewport)->place == request.last->place);
 }
 
 TEST_CASE("a label that was over extension lines stays there as it was") {
@@ -115,8 +115,8 @@ TEST_CASE("a label that was over extension lines stays there as it was") {
   landed.add(line, -1);
   LabelRequest request{.line = {{100, 500}, {300, 500}}, .textSize = kText};
   CHECK(placeLabel(request, landed, kViewport)->place.eighth != 0);
-  request.last = LabelPlace{.overExtensions = true};
-  CHECK(placeLabel(request, landed, kViewport)->place == *request.last);
+  request.last = LastLabelPlace{.place = {.overExtensions = true}};
+  CHECK(placeLabel(request, landed, kViewport)->place == request.last->place);
 }
 
 TEST_CASE("where a label was is remembered for its line alone, and for so many moved frames") {
@@ -128,23 +128,26 @@ TEST_CASE("where a label was is remembered for its line alone, and for so many m
   other.labelPlace = {};
   const std::vector lines{other, line};
   LabelMemory memory;
+  const auto place = [&](const PlacedLine& of) { return memory.last(of.identity, 0, true).value().place; };
   CHECK_FALSE(memory.last(line.identity, 0, true));
   memory.note(lines, true);
-  CHECK(memory.last(line.identity, 0, true) == line.labelPlace);
-  CHECK(memory.last(line.identity, 1, true) == line.labelPlace);
-  CHECK(memory.last(other.identity, 0, true) == other.labelPlace);
-  Identity elsewhere = line.identity;
-  elsewhere.baseLine = 3;
-  CHECK_FALSE(memory.last(elsewhere, 0, true));
+  CHECK(place(line) == line.labelPlace);
+  CHECK(place(other) == other.labelPlace);
+  CHECK(memory.last(line.identity, 1, true)->place == line.labelPlace);
+  CHECK_FALSE(memory.last(line.identity, 1, true)->mayLeave);
+  PlacedLine elsewhere = line;
+  elsewhere.identity.baseLine = 3;
+  CHECK_FALSE(memory.last(elsewhere.identity, 0, true));
 
   for (int frame = 0; frame < kReturnFrames; ++frame) memory.note(lines, false);
-  CHECK(memory.last(line.identity, 0, true) == line.labelPlace);
+  CHECK_FALSE(memory.last(line.identity, 0, true)->mayLeave);
   for (int frame = 0; frame < kReturnFrames; ++frame) memory.note(lines, true);
-  CHECK_FALSE(memory.last(line.identity, 0, true));
-  CHECK(memory.last(line.identity, 0, false) == line.labelPlace);   // before a still camera it never moves
+  CHECK(memory.last(line.identity, 0, true)->mayLeave);
+  CHECK_FALSE(memory.last(line.identity, 0, false)->mayLeave);   // before a still camera it never moves
   line.labelPlace.eighth = 4;
   memory.note(std::span(&line, 1), true);
-  CHECK(memory.last(line.identity, 0, true) == line.labelPlace);
+  CHECK(place(line) == line.labelPlace);
+  CHECK_FALSE(memory.last(line.identity, 0, true)->mayLeave);
   CHECK_FALSE(memory.last(other.identity, 0, true));
   memory.forget();
   CHECK_FALSE(memory.last(line.identity, 0, false));
