@@ -165,6 +165,8 @@ void Editor::State::addDragMarks() {
 
 /// Marks the edges of the boxes of those scopes in sight that a parameter's annotation names.
 void Editor::State::markScopes(std::size_t parameter, const View& view, double share) {
+  // A measure may have gone since the pointer was at it.
+  if (parameter >= placedModel().annotations.size()) return;
   const auto& annotation = placedModel().annotations[parameter];
   if (!annotation) return;
   const auto ofIt = [&](std::size_t i) { return i < scene.scopes.size() && scene.scopes[i].name == annotation->scope; };

@@ -19,12 +19,6 @@ Segment moved(const Segment& s, const Segment& by, double share) {
 
 }  // namespace
 
-/// Whether a line that is still the same one lies elsewhere against its base line, or its label on it.
-bool LineAnimator::jumps(const PlacedLine& placed, const Tracked& before) {
-  const bool labelHops = placed.label && before.hasLabel && placed.labelPlace != before.labelPlace;
-  return labelHops || glm::length(offsetPx(placed) - before.offsetPx) > kJumpPx;
-}
-
 void LineAnimator::reset() {
   tracked_.clear();
   fading_.clear();
@@ -102,7 +96,8 @@ void LineAnimator::match(const Layout& placed, std::span<const Scope> scopes, do
       taken_[*found] = true;
       hint = *found + 1;
       const bool inHand = exactly && std::ranges::find(held, placed.lines[i].identity, &PlacedLine::identity) != held.end();
-      changed_[i] = !exactly || (!inHand && jumps(placed.lines[i], next_[i]));
+      changed_[i] = !exactly || (!inHand && glm::length(offsetPx(placed.lines[i]) - next_[i].offsetPx) > kJumpPx);
+      next_[i].labelHops = changed_[i] || (!inHand && placed.lines[i].labelPlace != next_[i].labelPlace);
     }
   }
   for (std::size_t i = 0; i < placed.lines.size(); ++i) {
@@ -146,11 +141,7 @@ bool LineAnimator::drawLine(const PlacedLine& placed, const View& view, bool sam
     if (!canProject(drawn, view)) return false;
     projectLine(drawn, view, anchor);
   }
-  if (drawn.label && tracked.gliding) {
-    if (justChanged) tracked.labelRest = tracked.hasLabel ? tracked.labelCenter - drawn.label->center() : Vec2(0.0);
-    drawn.label->min += tracked.labelRest * rest;
-    drawn.label->max += tracked.labelRest * rest;
-  }
+  if (drawn.label) glideLabel(nowMs, justChanged, tracked, *drawn.label);
   if (tracked.gliding) atRest_ = false;
   tracked.base = drawn.base;
   tracked.line = drawn.line;
@@ -159,6 +150,24 @@ bool LineAnimator::drawLine(const PlacedLine& placed, const View& view, bool sam
   if (drawn.label) tracked.labelCenter = drawn.label->center();
   tracked.offsetPx = offsetPx(placed);
   return true;
+}
+
+/// Moves a label on its way to its place. One that hops again on the way is there no later for that, unless it is nearly there or its line sets out as well.
+void LineAnimator::glideLabel(double nowMs, bool lineSetsOut, Tracked& tracked, Box2& label) {
+  constexpr double kNearlyThere = 0.3;
+  double share = tracked.labelGliding ? 1.0 - easeOut((nowMs - tracked.labelStartMs) / kGlideMs) : 0.0;
+  if (tracked.labelHops && tracked.hasLabel) {
+    if (lineSetsOut || share < kNearlyThere) {
+      tracked.labelStartMs = nowMs;
+      share = 1.0;
+    }
+    tracked.labelRest = (tracked.labelCenter - label.center()) / share;
+  }
+  tracked.labelGliding = tracked.hasLabel && share > 0.0;
+  if (!tracked.labelGliding) return;
+  atRest_ = false;
+  label.min += tracked.labelRest * share;
+  label.max += tracked.labelRest * share;
 }
 
 }  // namespace dimline

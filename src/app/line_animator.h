@@ -46,9 +46,13 @@ private:
     Vec2 offsetPx{0.0};  ///< from the base line's middle to the line's, as placed
     // What was left between the two when its glide began.
     Segment baseRest, lineRest;
-    Vec2 labelRest{0.0};
     double glideStartMs = 0;
     bool gliding = false;
+    // The same of its label, on its line.
+    Vec2 labelRest{0.0};
+    double labelStartMs = 0;
+    bool labelGliding = false;
+    bool labelHops = false;  ///< in this frame
     double fadeStartMs = 0;
     double startOpacity = 1;
   };
@@ -56,7 +60,7 @@ private:
   void match(const Layout& placed, std::span<const Scope> scopes, double nowMs, bool animate, Layout& drawn, std::span<const PlacedLine> held);
   [[nodiscard]] std::optional<std::size_t> findBefore(const PlacedLine& line, std::uint32_t scopeIndex,
                                                       std::size_t hint, bool exactly) const;
-  [[nodiscard]] static bool jumps(const PlacedLine& placed, const Tracked& before);
+  void glideLabel(double nowMs, bool lineSetsOut, Tracked& tracked, Box2& label);
   bool drawLine(const PlacedLine& placed, const View& view, bool sameView, double nowMs, Tracked& tracked,
                 PlacedLine& drawn);
 

@@ -123,8 +123,8 @@ inline constexpr double kScoreBehindScope = -25.0 * kHandleSpacingPx;
 inline constexpr double kBehindScopeSin = 0.15;
 /// Attempts at a moved frame, each about as long as placing it. More find more and cost more.
 inline constexpr int kMendingAttempts = 2;
-/// How often a first picture is placed, the later times with a view to what was placed before. More: fewer lines across others' extension lines, and fewer of those through numbers; it takes longer.
-inline constexpr int kFirstPictureRounds = 3;
+/// How often a first picture is placed, the second time with a view to what was placed in the first. More: fewer lines across others' extension lines, and fewer of those through numbers; it takes longer.
+inline constexpr int kFirstPictureRounds = 2;
 /// Moved frames after which any line may look for a better place, though nothing is amiss with it.
 inline constexpr int kFramesToLookAround = 3;
 
@@ -179,7 +179,7 @@ inline constexpr double kScoreCrossesExtension = -20.0 * kHandleSpacingPx;
 inline constexpr double kScoreCrossesAhead = -6.0 * kHandleSpacingPx;
 
 /// Beyond the paper: principle 6, shorter lines nearer to the model. The order of placing brings that about unless a shorter line had to go far out; a longer
-/// one that would lie nearer, beside it, costs this. Needs to be about kScoreStay to count with a line that is there already.
+/// one that would lie nearer, beside it, costs this. Less than kScoreStay: whoever is there already is moved by mending alone (kScoreNestedWrongly).
 inline constexpr double kScoreNestsWithin = -8.0 * kHandleSpacingPx;
 
 /// Beyond the paper: an extension line through a label that has landed makes it hard to read, which a crossing of two thin lines does

@@ -80,6 +80,7 @@ struct Box2 {
   Vec2 min{std::numeric_limits<double>::infinity()};
   Vec2 max{-std::numeric_limits<double>::infinity()};
 
+  [[nodiscard]] static Box2 around(const Vec2& center, const Vec2& size) { return {center - size * 0.5, center + size * 0.5}; }
   [[nodiscard]] bool empty() const { return min.x > max.x || min.y > max.y; }
   [[nodiscard]] Vec2 center() const { return (min + max) * 0.5; }
   void add(const Vec2& p) {
@@ -89,6 +90,7 @@ struct Box2 {
   [[nodiscard]] Box2 grown(double byPx) const { return {min - byPx, max + byPx}; }
   /// Its border included; false for a NaN.
   [[nodiscard]] bool contains(const Vec2& p) const { return p.x >= min.x && p.x <= max.x && p.y >= min.y && p.y <= max.y; }
+  [[nodiscard]] bool contains(const Box2& o) const { return contains(o.min) && contains(o.max); }
   [[nodiscard]] bool overlaps(const Box2& o) const {
     return min.x < o.max.x && o.min.x < max.x && min.y < o.max.y && o.min.y < max.y;
   }

@@ -77,7 +77,7 @@ std::vector<Cluster> clusterBaseLines(const Annotation& annotation, std::span<co
           cluster->along = along;
           cluster->plane = plane;
         }
-        cluster->members.push_back({.scope = scope, .segment = line.segment});
+        cluster->members.push_back({.scope = scope, .baseLine = line.number, .segment = line.segment});
       }
     }
   }
@@ -86,7 +86,7 @@ std::vector<Cluster> clusterBaseLines(const Annotation& annotation, std::span<co
     for (std::size_t side = 0; side < 2; ++side) {
       const ChainMember& nearest = cluster.members[cluster.nearestFirst[side].front()];
       for (const BaseLine& line : baseLines(annotation, scopes[nearest.scope].box, anyView)) {
-        if (line.segment.start == nearest.segment.start && line.segment.end == nearest.segment.end) cluster.faces[side] = line.faces;
+        if (line.number == nearest.baseLine) cluster.faces[side] = line.faces;
       }
     }
   }
@@ -123,12 +123,6 @@ BaseLine chainBaseLine(const Cluster& cluster, int side) {
 bool TakenStretches::free(double fromM, double toM, double toleranceM) const {
   return std::ranges::none_of(stretches_,
                               [&](const Stretch& s) { return fromM < s.toM - toleranceM && s.fromM < toM - toleranceM; });
-}
-
-bool TakenStretches::take(double fromM, double toM, double toleranceM) {
-  if (!free(fromM, toM, toleranceM)) return false;
-  add(fromM, toM);
-  return true;
 }
 
 }  // namespace dimline

@@ -12,6 +12,7 @@ namespace dimline {
 /// A base line as a member of a chain.
 struct ChainMember {
   std::size_t scope = 0;      ///< index into Scene::scopes
+  int baseLine = 0;           ///< which of its base lines
   Segment segment;
   double fromM = 0, toM = 0;  ///< its stretch along the cluster's direction, counted from `Cluster::sides[…].start`; fromM < toM
 };
@@ -47,8 +48,7 @@ BaseLine chainBaseLine(const Cluster& cluster, int side);
 class TakenStretches {
  public:
   void clear() { stretches_.clear(); }
-  /// Takes [from, to] when it overlaps nothing by more than `toleranceM`; touching ends are no overlap.
-  bool take(double fromM, double toM, double toleranceM);
+  /// Whether [from, to] overlaps nothing by more than `toleranceM`; touching ends are no overlap.
   [[nodiscard]] bool free(double fromM, double toM, double toleranceM) const;
   void add(double fromM, double toM) { stretches_.push_back({fromM, toM}); }
 

@@ -82,7 +82,6 @@ void Foresight::begin(const std::optional<View>& before, const View& now, const 
   briefCount_ = 0;
   zooms_ = movement.zooms();
   nears_ = movement.nears();
-  now_ = now;
   lossPrice_ = kScoreSoonGone * (movement.zooms() ? kSoonGoneZooming : 1.0);
   if (looks_.size() < lookCount_) looks_.resize(lookCount_);
   int frame = 0;
@@ -117,7 +116,7 @@ bool Foresight::lastsUntil(const Look& look, const Place& place) {
   const Vec3 middle = place.line.middle();
   const double nearerM = std::clamp((now_.metresPerPixelAt(middle) - look.view.metresPerPixelAt(middle)) * kHandleSpacingPx, 0.0, place.offsetM);
   const Vec3 move = place.plane.across * (-place.direction * nearerM);
-  if (!onScreen({place.line.start + move, place.line.end + move}, look.view)) return false;
+  if (!onScreen(Segment{place.line.start + move, place.line.end + move}, look.view)) return false;
   slipPlanes(place.base, place.slip, look.view, {objectPlanes_, look.objectUses, toleranceM_}, planes_);
   const auto then = std::ranges::find(planes_, place.plane.number, &SlipPlane::number);
   if (then == planes_.end()) return false;

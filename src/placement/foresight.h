@@ -36,8 +36,9 @@ class Foresight {
   [[nodiscard]] bool zooms() const { return lookCount_ > 0 && zooms_; }
   /// Whether the camera comes nearer.
   [[nodiscard]] bool nears() const { return zooms() && nears_; }
-  /// Of a place outside the model. Its price is 0 when nothing happens to it, and always when no movement is thought to go on; kScoreSoonGone when it is lost at the first look ahead, in equal steps less when
-  /// later. A feature that turns away from the viewer costs kTurnedAwayShare of that. More of all when the camera comes nearer or goes away.
+  /// Of a place outside the model. Its price is 0 when nothing happens to it; kScoreSoonGone when it is lost at the first look ahead, in equal steps less when
+  /// later. A feature that turns away from the viewer costs kTurnedAwayShare of that, and so does one that is turned
+  /// away when no movement is thought to go on. More of all when the camera comes nearer or goes away.
   [[nodiscard]] Prospect prospect(const Place& place);
   /// Of a base line inside the model, which is lost when nothing of it is left in the viewport. `whole`: both ends are in the picture now.
   [[nodiscard]] Prospect prospectInside(const Segment& base, bool whole) const;

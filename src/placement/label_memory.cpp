@@ -22,6 +22,7 @@ std::optional<LastLabelPlace> LabelMemory::last(const Identity& line, std::size_
 
 void LabelMemory::note(std::span<const PlacedLine> lines, bool viewMoved) {
   before_.clear();
+  before_.reserve(labels_.capacity());   // they change places: what one has room for the other needs as well
   std::size_t nth = 0;
   for (std::size_t i = 0; i < lines.size(); ++i) {
     const PlacedLine& line = lines[i];

@@ -23,6 +23,16 @@ class LabelMemory {
   /// The frame is placed.
   void note(std::span<const PlacedLine> lines, bool viewMoved);
   void forget() { labels_.clear(); }
+  /// The clusters of a parameter have other numbers now: see History::renumberChains().
+  template <typename NumberNow>
+  void renumberChains(std::int32_t parameter, NumberNow numberNow) {
+    for (Label& label : labels_) {
+      if (label.line.parameter != parameter || label.line.chain < 0) continue;
+      label.line.chain = numberNow(label.line.chain);
+      if (label.line.chain < 0) label.line = {};
+    }
+    std::erase_if(labels_, [](const Label& label) { return label.line.parameter < 0; });
+  }
 
  private:
   struct Label {

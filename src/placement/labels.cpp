@@ -1,5 +1,6 @@
 #include "placement/labels.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -21,8 +22,6 @@ double reach(const Vec2& halfSize, const Vec2& direction) {
 double halfExtent(const Vec2& halfSize, const Vec2& normal) {
   return halfSize.x * std::abs(normal.x) + halfSize.y * std::abs(normal.y);
 }
-
-Box2 boxAround(const Vec2& center, const Vec2& size) { return {center - size * 0.5, center + size * 0.5}; }
 
 /// At how many eighths of the way from a line's middle to either end a label is tried.
 constexpr int kEighths = 8;
@@ -57,15 +56,21 @@ class Places {
 
   std::optional<LabelFound> tryAt(const LabelPlace& place, const LookAhead* ahead) const {
     if (!exists(place)) return std::nullopt;
-    const Box2 box = boxAround(center(place), request_.textSize);
-    if (!allowed_.contains(box.min) || !allowed_.contains(box.max)) return std::nullopt;
+    const Box2 box = Box2::around(center(place), request_.textSize);
+    if (!allowed_.contains(box)) return std::nullopt;
     if (request_.model != nullptr && !clears(*request_.model, box.grown(kLabelClearancePx))) return std::nullopt;
-    if (!landed_.hasRoom(box, place.overExtensions)) return std::nullopt;
+    if (!landed_.hasRoom(box, place.overExtensions) || !fellowsLeaveRoom(box)) return std::nullopt;
     if (ahead != nullptr && !ahead->leavesRoom(box)) return std::nullopt;
     return LabelFound{box, place};
   }
 
  private:
+  [[nodiscard]] bool fellowsLeaveRoom(const Box2& label) const {
+    const Box2 grown = label.grown(kLabelClearancePx);
+    const auto isOwn = [&](const Segment2& line) { return line.start == request_.line.start && line.end == request_.line.end; };
+    return std::ranges::none_of(request_.fellows, [&](const Segment2& line) { return meets(line, grown) && !isOwn(line); }) &&
+           std::ranges::none_of(request_.fellowLabels, [&](const Box2& other) { return grown.overlaps(other); });
+  }
   [[nodiscard]] bool exists(const LabelPlace& place) const {
     if (place.side == LabelPlace::Side::kOnLine) return room_ >= 0;
     return !request_.inChain || (place.side != LabelPlace::Side::kBeyondEnd && place.side != LabelPlace::Side::kBeyondStart);
@@ -109,8 +114,9 @@ std::optional<LabelFound> placeLabel(const LabelRequest& request, const Landed& 
   const auto search = [&](const LookAhead* ahead) -> std::optional<LabelFound> {
     // Where something is in its way now it goes as little along the line as it can.
     const bool alongLine = request.last && !request.last->mayLeave && request.last->place.side == LabelPlace::Side::kOnLine;
-    for (int by = 1; alongLine && by <= 2 * kEighths; ++by) {
+    for (int by = 0; alongLine && by <= 2 * kEighths; ++by) {
       LabelPlace place = request.last->place;
+      place.overExtensions = request.overExtensions;
       for (const int eighth : {request.last->place.eighth - by, request.last->place.eighth + by}) {
         if (std::abs(eighth) > kEighths) continue;
         place.eighth = static_cast<std::int8_t>(eighth);
@@ -123,12 +129,14 @@ std::optional<LabelFound> placeLabel(const LabelRequest& request, const Landed& 
     }
     return std::nullopt;
   };
-  const auto stay = [&] { return request.last ? places.tryAt(request.last->place, nullptr) : std::nullopt; };
+  const auto stay = [&] { return places.tryAt(request.last->place, nullptr); };
+  const bool mayLeave = request.last && request.last->mayLeave;
   std::optional<LabelFound> found;
-  if (request.last && !request.last->mayLeave) found = stay();
+  if (request.last && !mayLeave) found = stay();
   if (!found) found = search(request.ahead);
-  if (!found && request.ahead != nullptr) found = stay();
-  if (!found && request.ahead != nullptr) found = search(nullptr);
+  if (found || request.ahead == nullptr) return found;
+  if (mayLeave) found = stay();
+  if (!found) found = search(nullptr);
   return found;
 }
 

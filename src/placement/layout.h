@@ -47,8 +47,8 @@ struct LabelPlace {
   enum class Side : std::uint8_t { kOnLine, kBeyondEnd, kBeyondStart, kOutward, kInward };
   Side side = Side::kOnLine;
   std::int8_t eighth = 0;        ///< how far from the line's middle towards its end, of the way that there is
-  bool overExtensions = false;   ///< extension lines may run under it
-  bool operator==(const LabelPlace&) const = default;
+  bool overExtensions = false;   ///< extension lines may run under it: the same place all the same
+  bool operator==(const LabelPlace& o) const { return side == o.side && eighth == o.eighth; }
 };
 
 /// One end of a line that can be dragged.

@@ -92,6 +92,7 @@ bool LookAhead::shadows(const Segment2& foot, const Segment2& line) const {
 bool LookAhead::shadows(const Box2& label) const {
   const double mayMovePx = shown_ ? 0.0 : kLeapPx;
   const double middle = label.center().y;
+  // At its sides by half its height more than it covers: what is just beside it now is behind it in the next frames.
   const double growPx = 0.5 * (label.max.y - label.min.y) + kLabelClearancePx;
   return shadowsAny([&](ViewportEdge edge, const Segment2& of) { return standsBefore({{label.min.x, middle}, {label.max.x, middle}}, growPx, edge, of, mayMovePx); });
 }

@@ -27,7 +27,7 @@ class Mending {
   /// A moved frame begins.
   void begin();
   /// The rank of the line that shall look for another place in the next attempt at this frame: in the first a line that has just changed its place, since what pushed
-  /// it may have a better place as well; then those with which something is amiss, in turns; and now and then any. Nothing when nobody needs to. `outcome`: of
+  /// it may have a better place as well, or else, every kFramesToLookAround frames, any; otherwise those with which something is amiss, in turns. Nothing when nobody needs to. `outcome`: of
   /// the best attempt so far.
   std::optional<std::size_t> next(const Outcome& outcome);
 

@@ -7,6 +7,9 @@
 
 namespace dimline {
 
+/// Whether a box on screen lies within the viewport's margin.
+inline bool onScreen(const Box2& box, const View& view) { return view.viewport().grown(-kViewportMarginPx).contains(box); }
+
 /// A line on screen (px), when it may be a final line: in front of the near plane as a whole, and within the viewport's margin.
 inline std::optional<Segment2> onScreen(const Segment& line, const View& view) {
   if (!view.inFrontOfNear(line.start) || !view.inFrontOfNear(line.end)) return std::nullopt;

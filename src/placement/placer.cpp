@@ -7,13 +7,14 @@
 #include <utility>
 
 #include "core/sort_keys.h"
+#include "placement/arcs.h"
 #include "placement/chooser.h"
 #include "placement/foresight.h"
 #include "placement/label_memory.h"
 #include "placement/labels.h"
 #include "placement/mending.h"
 #include "placement/on_screen.h"
-#include "placement/other_handles.h"
+#include "placement/pills.h"
 #include "placement/visibility.h"
 
 // Algorithm 1 of the paper, one parameter after the other: what is there is measured (measured.h), a place is chosen (chooser.h) against all that has
@@ -254,10 +255,12 @@ void Placer::setScene(const Model& model, const Scene& scene) {
 void Placer::State::keepChains(std::span<const Measured> before, const Measured& now) {
   const auto was = std::ranges::find(before, now.parameter, &Measured::parameter);
   if (was == before.end() || was->clusters.size() == now.clusters.size()) return;
-  past.histories[now.parameter].renumberChains([&](std::int32_t number) {
+  const auto numberNow = [&](std::int32_t number) {
     const auto old = static_cast<std::size_t>(number);
     return old < was->clusters.size() ? successor(was->clusters[old], now.clusters) : -1;
-  });
+  };
+  past.histories[now.parameter].renumberChains(numberNow);
+  past.labels.renumberChains(static_cast<std::int32_t>(now.parameter), numberNow);
 }
 
 void Placer::place(const View& view, const DistanceFields& fields, const Values& values, Layout& layout,
@@ -280,12 +283,14 @@ void Placer::place(const View& view, const DistanceFields& fields, const Values&
   s.firm = !sceneChanged && held.empty() && !wasHeld;
   s.occupied.begin(fields);
   s.placeOnce(frame, sceneChanged, true, layout);
-  // Nothing was known of what is ahead in a first picture, and nothing was mended: others of the same view make up for that.
+  // In a first picture nothing is known of what is ahead, and little is mended: more rounds of the same view make up for that.
+  const bool firm = s.firm;
   for (int round = 1; first && held.empty() && round < kFirstPictureRounds; ++round) {
     s.firm = true;
     for (History& history : s.past.histories) history.age();
     s.placeOnce(frame, false, false, layout);
   }
+  s.firm = firm;
   s.past.labels.note(layout.lines, viewMoved);
 
   layout.view = view;

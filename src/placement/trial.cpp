@@ -4,7 +4,6 @@
 #include <limits>
 
 #include "placement/labels.h"
-#include "placement/on_screen.h"
 
 // A candidate is one line, or a chain with its members; both are expanded to lines before labels are placed, so that a line of its own is
 // a chain of one from there on.
@@ -168,43 +167,29 @@ bool Trial::settle(Candidate& candidate, const Measured& measured, const ChoiceC
 
 /// As many lines carry a text as have room; false when none has.
 bool Trial::placeLabels(const Candidate& candidate, const Measured& measured, const ChoiceContext& context) {
-  bool any = false;
+  labels_.clear();
+  fellows_.clear();
+  for (const ChosenLine& line : lines_) fellows_.push_back(line.lineScreen);
   Identity identity = candidate.identity;
   for (std::size_t i = 0; i < lines_.size(); ++i) {
     ChosenLine& line = lines_[i];
     identity.scopeIndex = static_cast<std::int32_t>(context.scopes[line.scope].index);
-    LabelRequest request{.line = line.lineScreen,
-                         .textSize = measured.textSize,
-                         .outward = candidate.lineScreen.middle() - candidate.baseScreen.middle(),
-                         .model = &context.model,
-                         .inChain = lines_.size() > 1,
-                         .ahead = &context.lookAhead,
-                         .last = context.labels.last(identity, i, context.viewMoved)};
-    const auto find = [&] {
-      const auto found = placeLabel(request, context.occupied.landed(), context.view.viewport());
-      if (!found || !fellowsLeaveRoom(found->box, i)) return false;
-      line.label = found->box;
-      line.labelPlace = found->place;
-      return true;
-    };
-    bool found = find();
-    if (!found && request.last) {
-      request.last.reset();
-      found = find();
-    }
-    any = any || found;
+    const auto found = placeLabel({.line = line.lineScreen,
+                                   .textSize = measured.textSize,
+                                   .outward = candidate.lineScreen.middle() - candidate.baseScreen.middle(),
+                                   .model = &context.model,
+                                   .inChain = lines_.size() > 1,
+                                   .fellows = fellows_,
+                                   .fellowLabels = labels_,
+                                   .ahead = &context.lookAhead,
+                                   .last = context.labels.last(identity, i, context.viewMoved)},
+                                  context.occupied.landed(), context.view.viewport());
+    if (!found) continue;
+    line.label = found->box;
+    line.labelPlace = found->place;
+    labels_.push_back(found->box);
   }
-  return any;
-}
-
-bool Trial::fellowsLeaveRoom(const Box2& label, std::size_t own) const {
-  const Box2 grown = label.grown(kLabelClearancePx);
-  for (std::size_t i = 0; i < lines_.size(); ++i) {
-    if (i == own) continue;
-    if (meets(lines_[i].lineScreen, grown)) return false;
-    if (lines_[i].label && grown.overlaps(*lines_[i].label)) return false;
-  }
-  return true;
+  return !labels_.empty();
 }
 
 }  // namespace dimline

@@ -81,10 +81,11 @@ class Trial {
   bool expand(const Candidate& candidate, const Measured& measured, const ChoiceContext& context);
   bool expandChain(const Candidate& candidate, const Measured& measured, const ChoiceContext& context);
   bool placeLabels(const Candidate& candidate, const Measured& measured, const ChoiceContext& context);
-  [[nodiscard]] bool fellowsLeaveRoom(const Box2& label, std::size_t own) const;
 
   std::vector<ChosenLine> lines_;
   std::vector<Segment2> extensions_;
+  std::vector<Segment2> fellows_;   ///< lines_ on screen
+  std::vector<Box2> labels_;        ///< theirs so far
   TakenStretches chainStretches_;
 };
 

@@ -145,7 +145,12 @@ TEST_CASE("measures follow from the values, and have lines only when asked to, w
   REQUIRE(stage.editor.hover({.screen = measure.lineScreen.end}) == PointerTarget::kNothing);
   stage.settle();
   REQUIRE(stage.editor.lineStates().back().hovered);   // pointed at, not taken hold of
+  stage.editor.setMeasuresShown(false);
+  stage.settle();
+  REQUIRE(std::ranges::none_of(stage.editor.lineStates(), &Editor::LineState::hovered));
   stage.editor.endHover();
+  stage.editor.setMeasuresShown(true);
+  stage.settle();
   REQUIRE(stage.editor.model().parameters().size() == 5);
 
   stage.set("Height", 6.5);

@@ -150,10 +150,17 @@ TEST_CASE("a label that hops along its line glides there, and the line stays whe
   stage.place(view, {hopped});
   REQUIRE(stage.at(16).lines[0].label->center() == middle);
   REQUIRE_FALSE(stage.animator.atRest());
-  const PlacedLine& line = stage.at(90).lines[0];
+  const PlacedLine line = stage.at(40).lines[0];
   REQUIRE(line.label->center().x > middle.x);
   REQUIRE(line.label->center().x < middle.x + 80);
   REQUIRE(line.lineScreen.start == hopped.lineScreen.start);
+  // It hops again on the way, and is there no later for that.
+  const double onTheWay = line.label->center().x;
+  hopped.labelPlace.eighth = 6;
+  hopped.label->min.x += 20;
+  hopped.label->max.x += 20;
+  stage.place(view, {hopped});
+  REQUIRE(stage.at(42).lines[0].label->center().x == Approx(onTheWay).margin(3));
   REQUIRE(same(stage.at(200).lines[0], hopped));
   REQUIRE(stage.animator.atRest());
 }

@@ -108,13 +108,20 @@ TEST_CASE("a plane that turns edge-on does not last; one that turns towards the 
   CHECK_FALSE(lasts(Slip::kScope, {}, kFront, kRight, 35, 60));
 }
 
-TEST_CASE("while the view does not turn, everything lasts") {
+TEST_CASE("while the view does not turn, everything lasts, but what is turned away costs something") {
   CHECK(lasts(Slip::kScope, {}, kFront, kRight, 80, 80));
   Foresight foresight;
   foresight.begin(std::nullopt, turnedBy(80), boxBounds(), {}, 1e-3);
   SlipPlane none;
   none.number = 7;   // not one of the edge's
   CHECK(foresight.prospect({edge(), Slip::kScope, none, 1, 1.0, edge().segment}).price == 0);
+  // From 80 degrees on the right the right side is in view, the left and the back are not.
+  BaseLine withFaces = edge();
+  withFaces.faces.push_back({0, 0, -1});
+  withFaces.faces.push_back({1, 0, 0});
+  CHECK(foresight.prospect({withFaces, Slip::kScope, none, 1, 1.0, edge().segment}).price == 0);
+  withFaces.faces[1] = {-1, 0, 0};
+  CHECK(foresight.prospect({withFaces, Slip::kScope, none, 1, 1.0, edge().segment}).price == Approx(kScoreSoonGone * kTurnedAwayShare));
 }
 
 TEST_CASE("the part of an object plane that a neighbour is about to cut off does not last") {

@@ -98,14 +98,16 @@ TEST_CASE("a label stays where it was, or as near by as it can, though places be
   REQUIRE(found);
   CHECK(found->place == request.last->place);
   CHECK(found->box.center().x == Approx(200 + 56 * 0.5));
-  // What comes there leaves room at the middle, and further away on the other side.
-  landed.add(placed({{232, 400}, {232, 600}}), -1);
+  // What comes there leaves room at the end of the line and, a little further away, on the other side of its middle, which comes first where nothing was.
+  landed.add(placed({{225, 400}, {225, 600}}), -1);
   found = placeLabel(request, landed, kViewport);
   REQUIRE(found);
   CHECK(found->place.side == LabelPlace::Side::kOnLine);
-  CHECK(found->place.eighth == 0);
+  CHECK(found->place.eighth == 8);
+  request.last->mayLeave = true;
+  CHECK(placeLabel(request, landed, kViewport)->place.eighth == -4);
   request.last = LastLabelPlace{.place = {.side = LabelPlace::Side::kInward}};
-  CHECK(placeLabel(request, landed, kViewport)->place == request.last->place);
+  CHECK(placeLabel(request, Landed{}, kViewport)->place == request.last->place);
 }
 
 TEST_CASE("a label that was over extension lines stays there as it was") {
@@ -151,6 +153,35 @@ TEST_CASE("where a label was is remembered for its line alone, and for so many m
   CHECK_FALSE(memory.last(other.identity, 0, true));
   memory.forget();
   CHECK_FALSE(memory.last(line.identity, 0, false));
+}
+
+TEST_CASE("where labels were is remembered for chains that have other numbers now, and forgotten for those that are no more") {
+  std::vector<PlacedLine> lines(3, placed({{100, 500}, {300, 500}}, Box2{{176, 492}, {224, 508}}));
+  for (int i = 0; i < 3; ++i) {
+    lines[static_cast<std::size_t>(i)].identity = {.parameter = i < 2 ? 3 : 4, .scopeIndex = i, .chain = i, .baseLine = 0, .plane = 0, .direction = 1};
+  }
+  LabelMemory memory;
+  memory.note(lines, true);
+  memory.renumberChains(3, [](std::int32_t number) { return number == 0 ? 5 : -1; });
+  CHECK_FALSE(memory.last(lines[0].identity, 0, true));
+  CHECK_FALSE(memory.last(lines[1].identity, 0, true));
+  CHECK(memory.last(lines[2].identity, 0, true));
+  lines[0].identity.chain = 5;
+  CHECK(memory.last(lines[0].identity, 0, true));
+}
+
+TEST_CASE("a label keeps clear of its chain's other lines and their labels, and finds another place for that") {
+  LabelRequest request{.line = {{400, 500}, {440, 500}}, .textSize = kText, .inChain = true};
+  const auto alone = placeLabel(request, Landed{}, kViewport);
+  REQUIRE(alone);
+  const std::vector fellowLabels{alone->box};
+  request.fellowLabels = fellowLabels;
+  const auto beside = placeLabel(request, Landed{}, kViewport);
+  REQUIRE(beside);
+  CHECK_FALSE(beside->box.grown(kLabelClearancePx).overlaps(alone->box));
+  const std::vector<Segment2> fellows{{{300, beside->box.center().y}, {600, beside->box.center().y}}};
+  request.fellows = fellows;
+  CHECK_FALSE(placeLabel(request, Landed{}, kViewport));   // neither above the line nor below it
 }
 
 TEST_CASE("a label clears the model") {

@@ -2,7 +2,8 @@
 
 #include <cmath>
 
-#include "placement/other_handles.h"
+#include "placement/arcs.h"
+#include "placement/pills.h"
 #include "silhouette/cpu_fields.h"
 #include "support/scenes.h"
 

@@ -1,17 +1,17 @@
-#include "placement/other_handles.h"
+#include "placement/pills.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "placement/label_text.h"
+#include "placement/on_screen.h"
 #include "placement/score.h"
 #include "placement/text_metrics.h"
 
 namespace dimline {
 
 namespace {
-
-constexpr std::size_t kArcSamples = 16;
 
 /// How far beyond the least shift a pill looks for room, and in how many rings of its height around its anchor when it stays inside. Fewer: it is hidden as
 /// crowded where a person would see a place. More: it stands too far from what it belongs to.
@@ -24,13 +24,6 @@ Vec2 compass(int number) {
   const double rad = number * 45.0 * kRadPerDeg;
   return {std::cos(rad), std::sin(rad)};
 }
-
-bool isInside(const Box2& box, const Box2& viewport) {
-  const Box2 allowed = viewport.grown(-kViewportMarginPx);
-  return box.min.x >= allowed.min.x && box.min.y >= allowed.min.y && box.max.x <= allowed.max.x && box.max.y <= allowed.max.y;
-}
-
-Box2 boxAround(const Vec2& center, const Vec2& size) { return {center - size * 0.5, center + size * 0.5}; }
 
 /// The middle of a scope's face in the direction of `orient`.
 Vec3 anchorOf(const Annotation& annotation, const Obb& scope) {
@@ -90,7 +83,7 @@ std::optional<Box2> roomTowards(const Box2& from, const Vec2& direction, const O
   if (!std::isfinite(shift)) return std::nullopt;
   for (int step = 0; step < kPillSteps; ++step, shift += kPillStepPx) {
     const Box2 box = shifted(from, direction * shift);
-    if (!isInside(box, context.view.viewport())) return std::nullopt;
+    if (!onScreen(box, context.view)) return std::nullopt;
     if (clears(context.padded, box) && context.landed.hasRoom(box)) return box;
   }
   return std::nullopt;
@@ -101,19 +94,10 @@ std::optional<Box2> roomAround(const Box2& box, const OtherHandleContext& contex
   for (int ring = 0; ring < kPillRings; ++ring) {
     for (int number = 0; number < (ring == 0 ? 1 : 8); ++number) {
       const Box2 place = shifted(box, compass(number) * (ring * kPillHeightPx));
-      if (isInside(place, context.view.viewport()) && context.landed.hasRoom(place)) return place;
+      if (onScreen(place, context.view) && context.landed.hasRoom(place)) return place;
     }
   }
   return std::nullopt;
-}
-
-/// `way`: the direction in which it was moved out; -1 for one that was not.
-Identity identityOf(const OtherHandle& handle, const Scope& scope, int way) {
-  return {.parameter = static_cast<std::int32_t>(handle.parameter),
-          .scopeIndex = static_cast<std::int32_t>(scope.index),
-          .baseLine = 0,
-          .plane = static_cast<std::int16_t>(way),
-          .direction = 0};
 }
 
 /// A place for a pill.
@@ -170,43 +154,6 @@ void placeOptions(const OtherHandle& handle, const OtherHandleContext& context, 
   }
 }
 
-/// The arc as a polyline on screen. False when a part of it is nearer than the near plane.
-bool project(const Arc& arc, const View& view, std::array<Vec2, kArcSamples + 1>& points) {
-  for (std::size_t i = 0; i <= kArcSamples; ++i) {
-    const Vec3 p = arc.at(arc.angleRad * static_cast<double>(i) / kArcSamples);
-    if (!view.inFrontOfNear(p)) return false;
-    points[i] = view.toScreen(p);
-  }
-  return view.inFrontOfNear(arc.center);
-}
-
-/// Where the angle's text stands: beyond the middle of the arc, away from the centre.
-Box2 arcLabel(const Arc& arc, const Vec2& size, const View& view) {
-  const Vec2 middle = view.toScreen(arc.at(arc.angleRad * 0.5));
-  const Vec2 center = view.toScreen(arc.center);
-  const Vec2 out = middle - center;
-  const double length = glm::length(out);
-  const Vec2 direction = length > 0 ? out / length : Vec2(0, -1);
-  const double reach = 0.5 * (std::abs(direction.x) * size.x + std::abs(direction.y) * size.y);
-  return boxAround(middle + direction * (reach + kLabelPaddingPx * 2), size);
-}
-
-/// Moves an arc along its plane until arc, arms and label clear the padded fields, in steps of a few pixels. False when none of them does in the viewport.
-bool slideArc(Arc& arc, const Vec3& outward, const Vec2& labelSize, const OtherHandleContext& context) {
-  const double stepM = context.view.metresPerPixelAt(arc.center) * 6.0;
-  const int most = static_cast<int>((context.view.widthPx() + context.view.heightPx()) / 6.0);
-  std::array<Vec2, kArcSamples + 1> points;
-  for (int step = 0; step < most; ++step, arc.center += outward * stepM) {
-    if (!project(arc, context.view, points)) return false;
-    Box2 all = arcLabel(arc, labelSize, context.view);
-    for (const Vec2& p : points) all.add(p);
-    all.add(context.view.toScreen(arc.center));
-    if (step > 0 && !isInside(all, context.view.viewport())) return false;
-    if (clears(context.padded, all) && context.landed.hasRoom(all)) return true;
-  }
-  return false;
-}
-
 }  // namespace
 
 double leastShiftPx(const DistanceFields& fields, const Box2& box, const Vec2& direction) {
@@ -230,9 +177,9 @@ std::optional<HiddenReason> placePill(const OtherHandle& handle, const OtherHand
     const Vec3 world = anchorOf(handle.annotation, context.scopes[scope].box);
     if (!context.view.inFrontOfNear(world)) continue;
     const Vec2 anchor = context.view.toScreen(world);
-    if (!isInside({anchor, anchor}, context.view.viewport())) continue;
+    if (!onScreen(Box2{anchor, anchor}, context.view)) continue;
     anchored = true;
-    const Box2 atAnchor = shiftedInto(boxAround(anchor, size), context.view.viewport());
+    const Box2 atAnchor = shiftedInto(Box2::around(anchor, size), context.view.viewport());
     if (const auto box = roomAround(atAnchor, context)) {
       const Identity identity = identityOf(handle, context.scopes[scope], -1);
       offer({scope, anchor, *box, identity, handle.history.bonus(identity) - glm::length(box->center() - anchor)}, inside);
@@ -265,84 +212,6 @@ std::optional<HiddenReason> placePill(const OtherHandle& handle, const OtherHand
   } else {
     placed.options.clear();
   }
-  return std::nullopt;
-}
-
-Arc arcAt(const Annotation& annotation, const Obb& scope, double angleRad, double minRadiusM, double maxRadiusM) {
-  const AxisSense along = axisOf(annotation.orient);
-  const int axis = along.axis < 0 ? 2 : along.axis;
-  const int first = (axis + 1) % 3;
-  const int second = (axis + 2) % 3;
-  Arc arc;
-  arc.center = scope.at(annotation.translate);
-  arc.from = scope.axes[static_cast<std::size_t>(first)];
-  arc.axis = scope.axes[static_cast<std::size_t>(axis)];
-  arc.radiusM = std::clamp(kArcRadiusShare * std::min(scope.size[first], scope.size[second]), minRadiusM, maxRadiusM);
-  arc.angleRad = angleRad;
-  return arc;
-}
-
-namespace {
-
-/// px on screen. By the default angle, so that the radius stays while the angle is dragged; of an angle of 0 the greatest.
-double leastArcRadiusPx(const Parameter& definition) {
-  const double angleRad = std::abs(definition.defaultValue) * kRadPerDeg;
-  return std::clamp(kArcMinLengthPx / std::max(angleRad, kArcMinLengthPx / kArcMaxRadiusPx), kArcMinRadiusPx, kArcMaxRadiusPx);
-}
-
-}  // namespace
-
-std::optional<HiddenReason> placeArc(const OtherHandle& handle, const OtherHandleContext& context, PlacedHandle& placed) {
-  const std::string text = labelText(handle.definition, handle.value);
-  const Vec2 labelSize = labelSizePx(text);
-  bool found = false;
-  bool facing = false;   // one is not edge-on
-  double bestScore = -std::numeric_limits<double>::infinity();
-  for (const std::size_t scope : handle.scopes) {
-    const Obb& box = context.scopes[scope].box;
-    const double metresPerPx = context.view.metresPerPixelAt(box.origin);
-    const Arc home = arcAt(handle.annotation, box, handle.value * kRadPerDeg, leastArcRadiusPx(handle.definition) * metresPerPx, kArcMaxRadiusPx * metresPerPx);
-    const double facingShare = std::abs(glm::dot(home.axis, context.view.directionTo(box.center())));
-    if (facingShare < std::sin(kForeshortenedAngleRad * (handle.history.hidden() ? kShowAgainFactor : 1.0))) continue;
-    facing = true;
-    const auto offer = [&](const Arc& arc, PlacementKind placement, int direction, double offerScore) {
-      std::array<Vec2, kArcSamples + 1> points;
-      if (offerScore <= bestScore || !project(arc, context.view, points)) return;
-      const Vec2 center = context.view.toScreen(arc.center);
-      if (!isInside({center, center}, context.view.viewport())) return;
-      found = true;
-      bestScore = offerScore;
-      placed.scope = scope;
-      placed.anchor = context.view.toScreen(home.center);
-      placed.box = arcLabel(arc, labelSize, context.view);
-      placed.placement = placement;
-      placed.arc = arc;
-      placed.handles.clear();
-      placed.handles.push_back({true, points[kArcSamples]});
-      placed.identity = identityOf(handle, context.scopes[scope], direction);
-    };
-    const auto damp = [&](int direction) {
-      const Identity identity = identityOf(handle, context.scopes[scope], direction);
-      return (identity == handle.history.last() ? kScoreDamp : 0.0) + handle.history.bonus(identity);
-    };
-    // In its frame the arc that is turned most towards the viewer reads best; that is worth as much as the plane's facing is to a line.
-    offer(home, PlacementKind::kInside, -1, kScorePlane * facingShare + damp(-1) - 1e6 * (handle.annotation.slip == Slip::kNone ? 0 : 1));
-    if (handle.annotation.slip == Slip::kNone) continue;
-    const Vec3 other = glm::cross(home.axis, home.from);
-    for (int direction = 0; direction < 4; ++direction) {
-      Arc moved = home;
-      const Vec3 outward = (direction < 2 ? home.from : other) * (direction % 2 == 0 ? 1.0 : -1.0);
-      if (!slideArc(moved, outward, labelSize, context)) continue;
-      const Vec2 offset = context.view.toScreen(moved.center) - context.view.toScreen(home.center);
-      offer(moved, PlacementKind::kOutside, direction, kScorePlane * facingShare + damp(direction) + kScoreDistance * glm::length(offset));
-    }
-  }
-  if (!found) return facing ? HiddenReason::kOutOfView : HiddenReason::kForeshortened;
-  placed.parameter = handle.parameter;
-  placed.type = HandleType::kAngular;
-  placed.value = handle.value;
-  placed.text = text;
-  placed.options.clear();
   return std::nullopt;
 }
 
