@@ -136,8 +136,9 @@ std::optional<GripRef> Editor::State::gripAt(const PointerInput& input) const {
 /// What a pointer takes hold of or, where it would not, what it points at: a line, an arc's label. Of a line the same key wherever on it.
 std::optional<HandleKey> Editor::State::pointedAt(const PointerInput& input) const {
   if (const auto grip = gripAt(input)) {
-    const auto* onLine = std::get_if<HandleRef>(&*grip);
-    return onLine != nullptr ? keyOf(drawn.lines[onLine->line], true) : keyOf(*grip);
+    HandleKey key = keyOf(*grip);
+    key.atEnd = true;
+    return key;
   }
   for (const PlacedHandle& handle : drawn.others) {
     if (handle.arc && handle.box.contains(input.screen)) return keyOf(handle);

@@ -58,8 +58,6 @@ void Editor::setMeasuresShown(bool shown) {
   if (s.measuresShown == shown) return;
   s.finishEdits();
   s.measuresShown = shown;
-  s.hovered.reset();
-  s.hoveredBefore.reset();
   s.sceneStale = s.loaded;  // measures may have a scope of their own
 }
 bool Editor::measuresShown() const { return state_->measuresShown; }

@@ -37,6 +37,13 @@ struct TwoLines {
     }
     model.buildTrees();
   }
+  /// As seen from these edges the model reaches on from 400 to 300.
+  void widen(std::initializer_list<ViewportEdge> edges) {
+    for (const ViewportEdge edge : edges) {
+      for (std::size_t i = 300; i < 400; ++i) model[edge].edit()[i] = 400;
+    }
+    model.buildTrees();
+  }
   void begin(bool changed) { lookAhead.begin(order, plan(), model, changed); }
 };
 
@@ -101,10 +108,7 @@ TEST_CASE("a line shadows another when it stands between that one and each edge 
   const Segment2 left = screen(250, 420, 250, 580);
   CHECK_FALSE(other.lookAhead.shadows(left, left));      // from above and below its columns are free
   // With the model's columns drawn on to the left, above and below are closed.
-  for (const ViewportEdge edge : {ViewportEdge::kTop, ViewportEdge::kBottom}) {
-    for (std::size_t i = 300; i < 400; ++i) other.model[edge].edit()[i] = 400;
-  }
-  other.model.buildTrees();
+  other.widen({ViewportEdge::kTop, ViewportEdge::kBottom});
   other.begin(false);
   other.lookAhead.reach(0);
   CHECK(other.lookAhead.shadows(left, left));
@@ -134,10 +138,7 @@ TEST_CASE("a base line inside keeps off those of later lines that were inside, a
 
 TEST_CASE("a label leaves room for what is ahead: lines, their extension lines, lines inside, and the way to the edge that a line is seen from") {
   TwoLines stage;
-  for (const ViewportEdge edge : {ViewportEdge::kLeft, ViewportEdge::kRight}) {
-    for (std::size_t i = 300; i < 400; ++i) stage.model[edge].edit()[i] = 400;
-  }
-  stage.model.buildTrees();
+  stage.widen({ViewportEdge::kLeft, ViewportEdge::kRight});
   stage.begin(true);
   stage.lookAhead.note(1, world(420, 400, 580, 400), world(420, 400, 580, 400), world(420, 350, 580, 350));   // seen from above alone
   stage.lookAhead.noteInside(1, world(420, 500, 580, 500));
@@ -156,10 +157,7 @@ TEST_CASE("a label leaves room for what is ahead: lines, their extension lines, 
 
 TEST_CASE("where nobody sees it a line ahead may give way to a label, but not leap; and so it is before the still camera after it") {
   TwoLines stage;
-  for (const ViewportEdge edge : {ViewportEdge::kLeft, ViewportEdge::kRight}) {
-    for (std::size_t i = 300; i < 400; ++i) stage.model[edge].edit()[i] = 400;
-  }
-  stage.model.buildTrees();
+  stage.widen({ViewportEdge::kLeft, ViewportEdge::kRight});
   stage.begin(true);
   stage.lookAhead.note(1, world(420, 400, 580, 400), world(420, 400, 580, 400), world(420, 350, 580, 350));
   for (const bool changed : {true, false, false}) {
