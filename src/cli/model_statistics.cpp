@@ -20,7 +20,7 @@ ModelStatistics statisticsOf(const Model& model, const Scene& scene) {
     for (std::size_t i = 0; i < scene.scopes.size(); ++i) {
       if (scene.scopes[i].name != annotation->scope) continue;
       measured.push_back(i);
-      statistics.baseLines += baseLines(*annotation, scene.scopes[i].box, view).size();
+      statistics.baseLines += baseSegments(*annotation, scene.scopes[i].box, view).size();
     }
     if (!annotation->chained) continue;
     const auto clusters = clusterBaseLines(*annotation, scene.scopes, measured, scene.bounds.diagonal());

@@ -90,7 +90,7 @@ std::optional<HandleDrag> HandleDrag::begin(const Model& model, const Values& va
 
   HandleDrag drag(model, values, line, handle, pointer - handle.screen, view, kTolerancePx / motion.pxPerM);
   drag.findMeasured(scene);
-  if (drag.baseLine_ < 0) return std::nullopt;
+  if (!drag.baseLine_) return std::nullopt;
   return drag;
 }
 
@@ -187,12 +187,12 @@ void HandleDrag::findMeasured(const Scene& scene) {
   scopeIndex_ = scope.index;
   scopeCount_ = countScopes(scene);
   double nearestM = std::numeric_limits<double>::infinity();
-  for (const BaseLine& candidate : baseLines(annotation(), scope.box, startView_)) {
-    const double distanceM =
-        glm::length(candidate.segment.start - line_.base.start) + glm::length(candidate.segment.end - line_.base.end);
+  const BaseSegments segments = baseSegments(annotation(), scope.box, startView_);
+  for (std::size_t i = 0; i < segments.size(); ++i) {
+    const double distanceM = glm::length(segments[i].start - line_.base.start) + glm::length(segments[i].end - line_.base.end);
     if (distanceM >= nearestM) continue;
     nearestM = distanceM;
-    baseLine_ = candidate.number;
+    baseLine_ = i;
   }
 }
 
@@ -204,16 +204,15 @@ std::optional<HandleDrag::Tracked> HandleDrag::track(const Scene& scene) const {
     const Scope& scope = scene.scopes[i];
     if (scope.name != annotation().scope) continue;
     if (count == scopeCount_ && scope.index != scopeIndex_) continue;
-    for (const BaseLine& candidate : baseLines(annotation(), scope.box, startView_)) {
-      if (candidate.number != baseLine_) continue;
-      double distanceM = glm::length(endOf(candidate.segment) - endOf(line_.base));
-      // Round the corner of a building the same rule repeats something else.
-      if (!parallel(candidate.segment, direction_)) distanceM += kElsewhereM;
-      if (distanceM < nearestM) {
-        nearestM = distanceM;
-        nearest = Tracked{i, candidate.segment};
-      }
-    }
+    const BaseSegments segments = baseSegments(annotation(), scope.box, startView_);
+    if (!baseLine_ || *baseLine_ >= segments.size()) continue;
+    const Segment& segment = segments[*baseLine_];
+    double distanceM = glm::length(endOf(segment) - endOf(line_.base));
+    // Round the corner of a building the same rule repeats something else.
+    if (!parallel(segment, direction_)) distanceM += kElsewhereM;
+    if (distanceM >= nearestM) continue;
+    nearestM = distanceM;
+    nearest = Tracked{i, segment};
   }
   if (nearest && count != scopeCount_) nearest->base = keptInPlace(nearest->base);
   return nearest;

@@ -95,7 +95,7 @@ private:
   // What it measured when the drag began: which scope out of how many of the name, which of its base lines.
   std::uint32_t scopeIndex_ = 0;
   std::size_t scopeCount_ = 0;
-  int baseLine_ = -1;
+  std::optional<std::size_t> baseLine_;
   Vec3 direction_;   ///< unit, of the line from start to end
   Vec2 grabOffset_;  ///< px, from the handle to the pointer
   double toleranceM_;   ///< along the line, what cannot be told apart on screen

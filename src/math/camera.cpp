@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <glm/ext/matrix_clip_space.hpp>
 #include <glm/ext/matrix_transform.hpp>
@@ -84,6 +85,7 @@ View::View(const Camera& camera, double widthPx, double heightPx, const Bounds& 
 
   view_ = glm::lookAtRH(camera.eye, camera.eye + forward_, up_);
   const double aspect = widthPx / heightPx;
+  pixelM_ = (camera.orthographic() ? *camera.orthoHeightM : 2 * std::tan(camera.fovRad * 0.5)) / heightPx;
   if (camera.orthographic()) {
     const double h = *camera.orthoHeightM * 0.5;
     projection_ = glm::orthoRH_NO(-h * aspect, h * aspect, -h, h, nearM_, farM_);
@@ -129,8 +131,17 @@ View::Ray View::rayThrough(const Vec2& screenPx) const {
 }
 
 double View::metresPerPixelAt(const Vec3& p) const {
-  if (orthographic()) return *camera_.orthoHeightM / heightPx_;
-  return 2 * std::tan(camera_.fovRad * 0.5) * std::max(depth(p), nearM_) / heightPx_;
+  return orthographic() ? pixelM_ : pixelM_ * std::max(depth(p), nearM_);
+}
+
+double View::mostPixelsPerMetre(const Vec3& center, double radiusM) const {
+  if (orthographic()) return 1 / pixelM_;
+  // What moves sideways by a metre moves on screen by 1/depth; what comes nearer by a metre, by that times how far aside it lies (as the tangent).
+  const double nearest = depth(center) - radiusM;
+  if (nearest <= nearM_) return std::numeric_limits<double>::infinity();
+  const Vec3 eyeToCenter = center - camera_.eye;
+  const double aside = glm::length(eyeToCenter - forward_ * depth(center)) + radiusM;
+  return std::hypot(1.0, aside / nearest) / (pixelM_ * nearest);
 }
 
 bool samePicture(const View& a, const View& b) {

@@ -77,10 +77,13 @@ class View {
 
   /// World length of one pixel at a point's depth (m).
   [[nodiscard]] double metresPerPixelAt(const Vec3& p) const;
+  /// No metre within a ball around a point looks longer than so many pixels, however it lies and wherever it is; infinite where the ball comes near the eye.
+  [[nodiscard]] double mostPixelsPerMetre(const Vec3& center, double radiusM) const;
 
  private:
   Camera camera_;
   double widthPx_ = 1, heightPx_ = 1, nearM_ = 0.01, farM_ = 1;
+  double pixelM_ = 1;   ///< world length of a pixel: anywhere when orthographic, else at a depth of 1 m
   Vec3 right_{1, 0, 0}, up_{0, 1, 0}, forward_{0, 0, -1};
   Mat4 view_{1.0}, projection_{1.0}, viewProjection_{1.0};
   glm::dmat4x3 worldToPixels_{1.0};

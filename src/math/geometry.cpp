@@ -6,17 +6,9 @@ namespace {
 
 double cross(const Vec2& a, const Vec2& b) { return a.x * b.y - a.y * b.x; }
 
-/// Whether all of a segment lies before or beyond a stretch of an axis, as most do; quickly told.
-bool liesBeside(const Segment2& s, int axis, double low, double high) {
-  return std::max(s.start[axis], s.end[axis]) < low || std::min(s.start[axis], s.end[axis]) > high;
-}
-
 }  // namespace
 
-bool segmentsCross(const Segment2& a, const Segment2& b, double byPx) {
-  for (int axis = 0; axis < 2; ++axis) {
-    if (liesBeside(a, axis, std::min(b.start[axis], b.end[axis]), std::max(b.start[axis], b.end[axis]))) return false;
-  }
+bool detail::carriersCross(const Segment2& a, const Segment2& b, double byPx) {
   const Vec2 da = a.end - a.start;
   const Vec2 db = b.end - b.start;
   // Each is the distance of an end from the other's carrier, times that one's length.
@@ -59,10 +51,6 @@ std::optional<Segment2> clipped(const Segment2& s, const Box2& box) {
   }
   if (enter > leave) return std::nullopt;
   return Segment2{s.start + d * enter, s.start + d * leave};
-}
-
-bool meets(const Segment2& s, const Box2& box) {
-  return !liesBeside(s, 0, box.min.x, box.max.x) && !liesBeside(s, 1, box.min.y, box.max.y) && clipped(s, box).has_value();
 }
 
 }  // namespace dimline

@@ -96,9 +96,22 @@ struct Box2 {
   }
 };
 
+namespace detail {
+/// Whether all of a segment lies before or beyond a stretch of an axis, as most do.
+inline bool liesBeside(const Segment2& s, int axis, double low, double high) {
+  return std::max(s.start[axis], s.end[axis]) < low || std::min(s.start[axis], s.end[axis]) > high;
+}
+inline bool liesBeside(const Segment2& s, const Segment2& other, int axis) {
+  return liesBeside(s, axis, std::min(other.start[axis], other.end[axis]), std::max(other.start[axis], other.end[axis]));
+}
+bool carriersCross(const Segment2& a, const Segment2& b, double byPx);
+}  // namespace detail
+
 /// Whether two segments on screen cross at an inner point of both (touching ends do not count, nor do overlaps on one line), and each
 /// reaches past the other by more than `byPx` at both ends, at right angles to it.
-bool segmentsCross(const Segment2& a, const Segment2& b, double byPx = 0);
+inline bool segmentsCross(const Segment2& a, const Segment2& b, double byPx = 0) {
+  return !detail::liesBeside(a, b, 0) && !detail::liesBeside(a, b, 1) && detail::carriersCross(a, b, byPx);
+}
 
 /// The part of a segment within a box, its border included; nothing when it misses the box.
 std::optional<Segment2> clipped(const Segment2& s, const Box2& box);
@@ -110,6 +123,8 @@ double distanceBetween(const Segment2& a, const Segment2& b);
 double distanceBetween(const Vec2& p, const Segment2& s);
 
 /// Whether a segment on screen meets a box, its border included.
-bool meets(const Segment2& s, const Box2& box);
+inline bool meets(const Segment2& s, const Box2& box) {
+  return !detail::liesBeside(s, 0, box.min.x, box.max.x) && !detail::liesBeside(s, 1, box.min.y, box.max.y) && clipped(s, box).has_value();
+}
 
 }  // namespace dimline

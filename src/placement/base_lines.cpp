@@ -15,24 +15,35 @@ ScopePlane planeAlong(const Obb& scope, int acrossAxis, int normalAxis, int side
   return {.across = axisAt(scope, acrossAxis), .normal = axisAt(scope, normalAxis) * (side < 0 ? -1.0 : 1.0), .inFace = side != 0};
 }
 
-/// The line along an axis at the given sides of the box (-1 and +1 its faces, 0 the middle), from the end that the sense points away from.
-BaseLine linear(const Obb& scope, const AxisSense& along, int sideA, int sideB, int number, const Vec3& translate) {
-  const int axisA = (along.axis + 1) % 3;
-  const int axisB = (along.axis + 2) % 3;
+/// On which sides of a scope's middle base line `number` of a linear type lies along the scope's two other axes: -1 and +1 its faces, 0 the middle.
+struct Sides {
+  int a = 0;
+  int b = 0;
+};
+
+Sides sidesOf(HandleType type, int number) {
+  if (type == HandleType::kLinearCenter) return {};
+  return {(number & 1) != 0 ? 1 : -1, (number & 2) != 0 ? 1 : -1};
+}
+
+/// The line along an axis on those sides, from the end that the sense points away from.
+Segment linearSegment(const Obb& scope, const AxisSense& along, const Sides& sides, const Vec3& translate) {
   Vec3 from = translate;
-  from[axisA] += 0.5 + 0.5 * sideA;
-  from[axisB] += 0.5 + 0.5 * sideB;
+  from[(along.axis + 1) % 3] += 0.5 + 0.5 * sides.a;
+  from[(along.axis + 2) % 3] += 0.5 + 0.5 * sides.b;
   Vec3 to = from;
   (along.sense > 0 ? to : from)[along.axis] += 1.0;
-  BaseLine line;
-  line.number = number;
-  line.segment = {scope.at(from), scope.at(to)};
-  line.scopePlanes.push_back(planeAlong(scope, axisA, axisB, sideB));
-  line.scopePlanes.push_back(planeAlong(scope, axisB, axisA, sideA));
+  return {scope.at(from), scope.at(to)};
+}
+
+void addLinearPlanes(const Obb& scope, int axis, const Sides& sides, BaseLine& line) {
+  const int axisA = (axis + 1) % 3;
+  const int axisB = (axis + 2) % 3;
+  line.scopePlanes.push_back(planeAlong(scope, axisA, axisB, sides.b));
+  line.scopePlanes.push_back(planeAlong(scope, axisB, axisA, sides.a));
   for (const ScopePlane& plane : line.scopePlanes) {
     if (plane.inFace) line.faces.push_back(plane.normal);
   }
-  return line;
 }
 
 /// From the centre of a face's inscribed ellipse to its rim, at right angles to the view (paper figure 5, row 3); zero when the
@@ -56,7 +67,7 @@ Vec3 radiusAcrossView(const Obb& scope, int axis, const Vec3& faceCenter, const 
   return (axisAt(scope, axisA) * a + axisAt(scope, axisB) * b) * scale;
 }
 
-void addCircular(const Annotation& annotation, const Obb& scope, const View& view, BaseLines& lines) {
+void addCircular(const Annotation& annotation, const Obb& scope, const View& view, BaseSegments& segments) {
   const int axis = axisOf(annotation.orient).axis;
   if (axis < 0) return;
   for (const int face : {-1, 1}) {
@@ -64,48 +75,42 @@ void addCircular(const Annotation& annotation, const Obb& scope, const View& vie
     middle[axis] += 0.5 * face;
     const Vec3 center = scope.at(middle);
     const Vec3 radius = radiusAcrossView(scope, axis, center, view);
-    if (radius == Vec3(0.0)) continue;
-    const Vec3 along = glm::normalize(radius);
-    const Vec3 normal = axisAt(scope, axis) * static_cast<double>(face);
-    const auto add = [&](const Segment& segment) {
-      BaseLine line;
-      line.number = static_cast<int>(lines.size());
-      line.segment = segment;
-      line.scopePlanes.push_back({.across = glm::cross(normal, along), .normal = normal, .inFace = true});
-      line.scopePlanes.push_back({.across = axisAt(scope, axis), .normal = glm::cross(along, axisAt(scope, axis)), .inFace = false});
-      lines.push_back(line);
-    };
+    if (radius == Vec3(0.0)) return;   // and so on the other face
     if (annotation.type == HandleType::kDiametric) {
-      add({center - radius, center + radius});
+      segments.push_back({center - radius, center + radius});
     } else {
-      add({center, center + radius});
-      add({center, center - radius});
+      segments.push_back({center, center + radius});
+      segments.push_back({center, center - radius});
     }
   }
 }
 
+/// The face that a diameter or radius lies in, and the plane at right angles to it. Both radii of a face share their planes' directions.
+void addCircularPlanes(const Annotation& annotation, const Obb& scope, BaseLine& line) {
+  const bool radial = annotation.type == HandleType::kRadial;
+  const Vec3& axis = axisAt(scope, axisOf(annotation.orient).axis);
+  const Vec3 normal = axis * ((radial ? line.number / 2 : line.number) == 0 ? -1.0 : 1.0);
+  const Vec3 along = glm::normalize(line.segment.end - line.segment.start) * (radial && line.number % 2 == 1 ? -1.0 : 1.0);
+  line.scopePlanes.push_back({.across = glm::cross(normal, along), .normal = normal, .inFace = true});
+  line.scopePlanes.push_back({.across = axis, .normal = glm::cross(along, axis), .inFace = false});
+}
+
 double sphereRadius(const Obb& scope) { return 0.5 * std::min({scope.size.x, scope.size.y, scope.size.z}); }
 
-void addSpherical(const Annotation& annotation, const Obb& scope, const View& view, BaseLines& lines) {
+void addSpherical(const Annotation& annotation, const Obb& scope, const View& view, BaseSegments& segments) {
   const Vec3 center = scope.at(Vec3(0.5) + annotation.translate);
   // The sphere's outline is seen at right angles to the ray through its centre, not to the camera's own direction.
   const Vec3 sight = view.directionTo(center);
   const Vec3 wanted = annotation.orient == Orient::kVertical ? view.up() : view.right();
   const Vec3 radius = glm::normalize(wanted - sight * glm::dot(wanted, sight)) * sphereRadius(scope);
-  const auto add = [&](const Segment& segment) {
-    BaseLine line;
-    line.number = static_cast<int>(lines.size());
-    line.segment = segment;
-    lines.push_back(line);
-  };
   if (annotation.type == HandleType::kSphericalDiametric) {
-    add({center - radius, center + radius});
-    add({center + radius, center - radius});
+    segments.push_back({center - radius, center + radius});
+    segments.push_back({center + radius, center - radius});
   } else {
-    add({center, center + radius});
-    add({center, center - radius});
-    add({center + radius, center});
-    add({center - radius, center});
+    segments.push_back({center, center + radius});
+    segments.push_back({center, center - radius});
+    segments.push_back({center + radius, center});
+    segments.push_back({center - radius, center});
   }
 }
 
@@ -116,27 +121,46 @@ bool turnedAway(const BaseLine& line, const View& view, double leastSin) {
   return !line.faces.empty() && std::ranges::all_of(line.faces, [&](const Vec3& normal) { return glm::dot(normal, sight) > leastSin; });
 }
 
-BaseLines baseLines(const Annotation& annotation, const Obb& scope, const View& view) {
-  BaseLines lines;
+BaseSegments baseSegments(const Annotation& annotation, const Obb& scope, const View& view) {
+  BaseSegments segments;
   const AxisSense along = axisOf(annotation.orient);
   switch (annotation.type) {
     case HandleType::kLinearContour:
-      if (along.axis < 0) break;
-      for (int i = 0; i < 4; ++i) {
-        lines.push_back(linear(scope, along, (i & 1) != 0 ? 1 : -1, (i & 2) != 0 ? 1 : -1, i, annotation.translate));
+    case HandleType::kLinearCenter:
+      for (int i = 0; along.axis >= 0 && i < (annotation.type == HandleType::kLinearContour ? 4 : 1); ++i) {
+        segments.push_back(linearSegment(scope, along, sidesOf(annotation.type, i), annotation.translate));
       }
       break;
-    case HandleType::kLinearCenter:
-      if (along.axis >= 0) lines.push_back(linear(scope, along, 0, 0, 0, annotation.translate));
-      break;
     case HandleType::kDiametric:
-    case HandleType::kRadial: addCircular(annotation, scope, view, lines); break;
+    case HandleType::kRadial: addCircular(annotation, scope, view, segments); break;
     case HandleType::kSphericalDiametric:
-    case HandleType::kSphericalRadial: addSpherical(annotation, scope, view, lines); break;
+    case HandleType::kSphericalRadial: addSpherical(annotation, scope, view, segments); break;
     case HandleType::kAngular:
     case HandleType::kBoolean:
     case HandleType::kRange: break;
   }
+  return segments;
+}
+
+BaseLine baseLine(const Annotation& annotation, const Obb& scope, int number, const Segment& segment) {
+  BaseLine line{.segment = segment, .number = number, .scopePlanes = {}, .faces = {}};
+  switch (annotation.type) {
+    case HandleType::kLinearContour:
+    case HandleType::kLinearCenter: addLinearPlanes(scope, axisOf(annotation.orient).axis, sidesOf(annotation.type, number), line); break;
+    case HandleType::kDiametric:
+    case HandleType::kRadial: addCircularPlanes(annotation, scope, line); break;
+    case HandleType::kSphericalDiametric:
+    case HandleType::kSphericalRadial:
+    case HandleType::kAngular:
+    case HandleType::kBoolean:
+    case HandleType::kRange: break;
+  }
+  return line;
+}
+
+BaseLines baseLines(const Annotation& annotation, const Obb& scope, const View& view) {
+  BaseLines lines;
+  for (const Segment& segment : baseSegments(annotation, scope, view)) lines.push_back(baseLine(annotation, scope, static_cast<int>(lines.size()), segment));
   return lines;
 }
 

@@ -27,8 +27,10 @@ bool turnedAway(const BaseLine& line, const View& view, double leastSin);
 
 /// At most four a scope.
 using BaseLines = FixedVector<BaseLine, 4>;
+using BaseSegments = FixedVector<Segment, 4>;
 
-/// The base lines of a scope as seen by `view`. Plain geometry: whether a line can be seen is for the caller to find out.
+/// Where the base lines of a scope are as seen by `view`; the place of each is its number. Plain geometry: whether a line can be seen is for the caller to find
+/// out.
 ///
 /// linear-contour       the 4 edges along the axis
 /// linear-center        1 through the middle
@@ -38,6 +40,12 @@ using BaseLines = FixedVector<BaseLine, 4>;
 /// spherical-radial     4: its halves from the centre to the rim, then from the rim to the centre
 ///
 /// Handles that are no lines have none. `annotation.translate` moves base lines, in sizes of the scope.
+BaseSegments baseSegments(const Annotation& annotation, const Obb& scope, const View& view);
+
+/// One of those with its planes and faces, which take longer to find than where it is.
+BaseLine baseLine(const Annotation& annotation, const Obb& scope, int number, const Segment& segment);
+
+/// All of them with their planes and faces.
 BaseLines baseLines(const Annotation& annotation, const Obb& scope, const View& view);
 
 /// Mean world length (m) of a scope's base lines over all views; 0 without any. By it parameters are ordered once for all cameras

@@ -24,6 +24,15 @@ bool moveTo(Candidate& candidate, const Segment& line, const View& view) {
   return true;
 }
 
+/// No base line of a scope looks longer than this: of many small things it tells at once that they have none.
+double mostLengthPx(const Annotation& annotation, const Obb& scope, const View& view) {
+  const bool linear = annotation.type == HandleType::kLinearContour || annotation.type == HandleType::kLinearCenter;
+  const AxisSense along = axisOf(annotation.orient);
+  const double diagonalM = glm::length(scope.size);
+  const double mostM = linear && along.axis >= 0 ? scope.size[along.axis] : diagonalM;
+  return mostM * view.mostPixelsPerMetre(scope.at(Vec3(0.5) + annotation.translate), 0.5 * diagonalM);
+}
+
 /// `cosLeast`: of the least angle to the view direction.
 bool foreshortened(const Segment& s, const View& view, double cosLeast) {
   const double lengthM = s.length();
@@ -149,9 +158,15 @@ double leastLengthPx(const Annotation& annotation) { return std::max(kMinLineLen
 
 void gatherBaseLines(const Annotation& annotation, const Scope& scope, std::size_t scopeNumber, const View& view, double factor,
                      std::vector<UsableBaseLine>& lines, BaseLineTally& tally) {
+  const double leastPx = leastLengthPx(annotation) * factor;
+  if (mostLengthPx(annotation, scope.box, view) < leastPx) {
+    ++tally.tooShort;
+    return;
+  }
   const double cosLeast = std::cos(kForeshortenedAngleRad * factor);
-  for (const BaseLine& line : baseLines(annotation, scope.box, view)) {
-    const Segment& s = line.segment;
+  const BaseSegments segments = baseSegments(annotation, scope.box, view);
+  for (std::size_t i = 0; i < segments.size(); ++i) {
+    const Segment& s = segments[i];
     if (!view.inFrontOfNear(s.start) || !view.inFrontOfNear(s.end)) {
       ++tally.outOfView;
       continue;
@@ -161,10 +176,14 @@ void gatherBaseLines(const Annotation& annotation, const Scope& scope, std::size
       ++tally.outOfView;
     } else if (foreshortened(s, view, cosLeast)) {
       ++tally.foreshortened;
-    } else if (!(screen.length() >= leastLengthPx(annotation) * factor)) {
+    } else if (!(screen.length() >= leastPx)) {
       ++tally.tooShort;
     } else {
-      lines.push_back({.scope = scopeNumber, .scopeIndex = static_cast<std::int32_t>(scope.index), .cluster = -1, .line = line, .screen = screen});
+      lines.push_back({.scope = scopeNumber,
+                       .scopeIndex = static_cast<std::int32_t>(scope.index),
+                       .cluster = -1,
+                       .line = baseLine(annotation, scope.box, static_cast<int>(i), s),
+                       .screen = screen});
     }
   }
 }

@@ -85,9 +85,7 @@ std::vector<Cluster> clusterBaseLines(const Annotation& annotation, std::span<co
     measure(cluster);
     for (std::size_t side = 0; side < 2; ++side) {
       const ChainMember& nearest = cluster.members[cluster.nearestFirst[side].front()];
-      for (const BaseLine& line : baseLines(annotation, scopes[nearest.scope].box, anyView)) {
-        if (line.number == nearest.baseLine) cluster.faces[side] = line.faces;
-      }
+      cluster.faces[side] = baseLine(annotation, scopes[nearest.scope].box, nearest.baseLine, nearest.segment).faces;
     }
   }
   return clusters;

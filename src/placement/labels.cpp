@@ -54,13 +54,12 @@ class Places {
     if (glm::dot(normal_, request.outward) < 0) normal_ = -normal_;
   }
 
-  std::optional<LabelFound> tryAt(const LabelPlace& place, const LookAhead* ahead) const {
+  [[nodiscard]] std::optional<LabelFound> tryAt(const LabelPlace& place) const {
     if (!exists(place)) return std::nullopt;
     const Box2 box = Box2::around(center(place), request_.textSize);
     if (!allowed_.contains(box)) return std::nullopt;
+    if (!fellowsLeaveRoom(box) || !landed_.hasRoom(box, place.overExtensions)) return std::nullopt;
     if (request_.model != nullptr && !clears(*request_.model, box.grown(kLabelClearancePx))) return std::nullopt;
-    if (!landed_.hasRoom(box, place.overExtensions) || !fellowsLeaveRoom(box)) return std::nullopt;
-    if (ahead != nullptr && !ahead->leavesRoom(box)) return std::nullopt;
     return LabelFound{box, place};
   }
 
@@ -73,7 +72,8 @@ class Places {
   }
   [[nodiscard]] bool exists(const LabelPlace& place) const {
     if (place.side == LabelPlace::Side::kOnLine) return room_ >= 0;
-    return !request_.inChain || (place.side != LabelPlace::Side::kBeyondEnd && place.side != LabelPlace::Side::kBeyondStart);
+    // Beyond the ends of a chain's member lie others.
+    return request_.fellows.size() < 2 || (place.side != LabelPlace::Side::kBeyondEnd && place.side != LabelPlace::Side::kBeyondStart);
   }
   [[nodiscard]] Vec2 center(const LabelPlace& place) const {
     const Vec2 half = request_.textSize * 0.5;
@@ -111,33 +111,37 @@ std::optional<LabelFound> placeLabel(const LabelRequest& request, const Landed& 
   const auto visible = clipped(request.line, viewport.grown(-kViewportMarginPx));
   if (!visible) return std::nullopt;
   const Places places(request, *visible, landed, viewport);
-  const auto search = [&](const LookAhead* ahead) -> std::optional<LabelFound> {
-    // Where something is in its way now it goes as little along the line as it can.
-    const bool alongLine = request.last && !request.last->mayLeave && request.last->place.side == LabelPlace::Side::kOnLine;
-    for (int by = 0; alongLine && by <= 2 * kEighths; ++by) {
-      LabelPlace place = request.last->place;
-      place.overExtensions = request.overExtensions;
-      for (const int eighth : {request.last->place.eighth - by, request.last->place.eighth + by}) {
-        if (std::abs(eighth) > kEighths) continue;
-        place.eighth = static_cast<std::int8_t>(eighth);
-        if (const auto found = places.tryAt(place, ahead)) return found;
-      }
-    }
-    for (LabelPlace place : kOrder) {
-      place.overExtensions = request.overExtensions;
-      if (const auto found = places.tryAt(place, ahead)) return found;
-    }
+  const bool mayLeave = request.last && request.last->mayLeave;
+  const auto stay = [&] { return places.tryAt(request.last->place); };
+  if (request.last && !mayLeave) {
+    if (auto found = stay()) return found;
+  }
+  std::optional<LabelFound> inTheWay;   // of what is ahead
+  const auto tryAt = [&](LabelPlace place) -> std::optional<LabelFound> {
+    place.overExtensions = request.overExtensions;
+    const auto found = places.tryAt(place);
+    if (!found || request.ahead == nullptr || request.ahead->leavesRoom(found->box)) return found;
+    if (!inTheWay) inTheWay = found;
     return std::nullopt;
   };
-  const auto stay = [&] { return places.tryAt(request.last->place, nullptr); };
-  const bool mayLeave = request.last && request.last->mayLeave;
-  std::optional<LabelFound> found;
-  if (request.last && !mayLeave) found = stay();
-  if (!found) found = search(request.ahead);
-  if (found || request.ahead == nullptr) return found;
-  if (mayLeave) found = stay();
-  if (!found) found = search(nullptr);
-  return found;
+  // Where something is in its way now it goes as little along the line as it can.
+  const bool alongLine = request.last && !mayLeave && request.last->place.side == LabelPlace::Side::kOnLine;
+  for (int by = 0; alongLine && by <= 2 * kEighths; ++by) {
+    LabelPlace place = request.last->place;
+    for (const int sense : {-1, 1}) {
+      const int eighth = request.last->place.eighth + sense * by;
+      if (std::abs(eighth) > kEighths || (by == 0 && sense > 0)) continue;
+      place.eighth = static_cast<std::int8_t>(eighth);
+      if (auto found = tryAt(place)) return found;
+    }
+  }
+  for (const LabelPlace& place : kOrder) {
+    if (auto found = tryAt(place)) return found;
+  }
+  if (mayLeave && request.ahead != nullptr) {
+    if (auto found = stay()) return found;
+  }
+  return inTheWay;
 }
 
 }  // namespace dimline

@@ -20,8 +20,7 @@ struct LabelRequest {
   Vec2 outward{0.0};              ///< screen direction from the model to the line; zero when inside
   const DistanceFields* model = nullptr;   ///< the label clears these fields; null when the line lies inside the model
   bool overExtensions = false;    ///< extension lines may run under it
-  bool inChain = false;           ///< beyond its ends lie the chain's other members: only on the line and beside it
-  std::span<const Segment2> fellows = {};       ///< px, the chain's lines, with or without this one, and
+  std::span<const Segment2> fellows = {};       ///< px, the lines of its chain, this one among them, and
   std::span<const Box2> fellowLabels = {};      ///< their labels so far: to be kept clear of as well
   const LookAhead* ahead = nullptr;   ///< the label keeps off what is ahead where it can
   std::optional<LastLabelPlace> last = {};

@@ -22,7 +22,18 @@ bool lieOnEachOther(const Segment2& a, const Segment2& b) {
   return std::min(to, length) - std::max(from, 0.0) > kExtensionClearancePx;
 }
 
+/// Whether two segments are one but for rounding.
+bool same(const Segment2& a, const Segment2& b) {
+  constexpr double kRoundingPx = 1e-6;
+  const auto near = [](const Vec2& p, const Vec2& q) { return std::abs(p.x - q.x) < kRoundingPx && std::abs(p.y - q.y) < kRoundingPx; };
+  return near(a.start, b.start) && near(a.end, b.end);
+}
+
 }  // namespace
+
+bool Landed::hasExtension(const Segment2& part, int parameter) const {
+  return std::ranges::any_of(extensions_, [&](const Extension& e) { return e.parameter == parameter && same(e.segment, part); });
+}
 
 void Landed::clear() {
   lines_.clear();
@@ -34,7 +45,10 @@ void Landed::add(const PlacedLine& line, int guide) {
   const int parameter = static_cast<int>(line.parameter);
   lines_.push_back({line.lineScreen, guide, line.lineScreen.middle() - line.baseScreen.middle(), parameter});
   for (const auto* extension : {&line.extensionStart, &line.extensionEnd}) {
-    for (std::size_t i = 1; i < extension->size(); ++i) extensions_.push_back({{(*extension)[i - 1], (*extension)[i]}, parameter});
+    for (std::size_t i = 1; i < extension->size(); ++i) {
+      const Segment2 part{(*extension)[i - 1], (*extension)[i]};
+      if (!hasExtension(part, parameter)) extensions_.push_back({part, parameter});
+    }
   }
   if (line.label) labels_.push_back(*line.label);
 }
@@ -42,7 +56,7 @@ void Landed::add(const PlacedLine& line, int guide) {
 void Landed::add(const Segment2& base, const Segment2& foot, const Segment2& line) {
   lines_.push_back({line, -1, line.middle() - base.middle()});
   for (const Segment2& part : extensionParts(base, foot, line)) {
-    if (part.start != part.end) extensions_.push_back({part});
+    if (part.start != part.end && !hasExtension(part)) extensions_.push_back({part});
   }
 }
 
@@ -90,8 +104,11 @@ Landed::Crossings Landed::crossings(const Segment2& base, const Segment2& foot, 
     found.extensions = found.extensions || (isLine ? overExtension : overLine);
     found.labels = found.labels || coversLabel(part);
   };
-  add(line, true);
-  for (const Segment2& part : extensionParts(base, foot, line)) add(part, false);
+  if (line.start != line.end) add(line, true);   // a pill's thread ends in a point
+  const auto parts = extensionParts(base, foot, line);
+  for (auto part = parts.begin(); part != parts.end(); ++part) {
+    if (part->start != part->end && (part == parts.begin() || !same(*part, part[-1]))) add(*part, false);
+  }
   return found;
 }
 

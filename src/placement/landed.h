@@ -24,6 +24,8 @@ class Landed {
   /// A line on screen with its base line and its foot on the plane, without a label.
   void add(const Segment2& base, const Segment2& foot, const Segment2& line);
   void addLabel(const Box2& label) { labels_.push_back(label); }
+  /// Whether this part of an extension line has landed already, with a line of that parameter (-1: of one that was added without): neighbours in a chain share one.
+  [[nodiscard]] bool hasExtension(const Segment2& part, int parameter = -1) const;
   /// What a line that stands where it stands will take up when its turn comes; to be released then. Until then it counts as an extension line, which labels keep off and
   /// lines cross at a price: what is nearer to the model must still find room between.
   void reserve(const PlacedLine& line);

@@ -29,7 +29,7 @@ std::vector<Segment> fixedBaseLines(std::span<const Measured> measured, std::spa
   for (const Measured& m : measured) {
     if (m.annotation.type != HandleType::kLinearContour && m.annotation.type != HandleType::kLinearCenter) continue;
     for (const std::size_t scope : m.scopes) {
-      for (const BaseLine& line : baseLines(m.annotation, scopes[scope].box, View())) all.push_back(line.segment);
+      for (const Segment& segment : baseSegments(m.annotation, scopes[scope].box, View())) all.push_back(segment);
     }
   }
   return all;

@@ -19,6 +19,10 @@ constexpr double kPillStepPx = 8.0;
 constexpr int kPillSteps = 25;
 constexpr int kPillRings = 9;
 
+/// px. How far a pill goes on at least where it looks for the least shift, towards the viewport's edge and along it. More: it may stand as much further out than it must.
+constexpr double kLeastShiftStepPx = 0.25;
+constexpr double kSidewaysStepPx = 4.0;
+
 /// The eight directions on screen in which a pill may move, by number: 0 is right, then clockwise on screen in steps of 45 degrees.
 Vec2 compass(int number) {
   const double rad = number * 45.0 * kRadPerDeg;
@@ -33,35 +37,49 @@ Vec3 anchorOf(const Annotation& annotation, const Obb& scope) {
   return scope.at(uvw);
 }
 
-/// The shift at which one field is cleared. Moving on changes the strips under the box, which may ask for more; each round goes as far as the strips seen
-/// so far ask, so it only grows.
-double leastShiftPx(const DistanceFields& fields, ViewportEdge edge, const Box2& box, const Vec2& direction) {
+/// How far a unit direction leads towards a viewport edge; what is not above kStandsStill is rounding.
+constexpr double kStandsStill = 1e-9;
+double towards(ViewportEdge edge, const Vec2& direction) {
+  switch (edge) {
+    case ViewportEdge::kLeft: return -direction.x;
+    case ViewportEdge::kRight: return direction.x;
+    case ViewportEdge::kTop: return -direction.y;
+    case ViewportEdge::kBottom: return direction.y;
+  }
+  return 0;
+}
+
+/// The shift at which one field is cleared; infinity when it is none below `mostPx`. Moving on changes the strips under the box, which may ask for more; each round goes as far as the
+/// strips seen so far ask, so it only grows.
+double leastShiftPx(const DistanceFields& fields, ViewportEdge edge, const Box2& box, const Vec2& direction, double mostPx) {
+  constexpr double kNowhere = std::numeric_limits<double>::infinity();
   const bool rows = edge == ViewportEdge::kLeft || edge == ViewportEdge::kRight;
   const int away = rows ? 0 : 1;
   const int along = 1 - away;
   const bool fromLow = edge == ViewportEdge::kLeft || edge == ViewportEdge::kTop;
-  const double towardsEdge = fromLow ? -direction[away] : direction[away];
+  const double towardsEdge = towards(edge, direction);
+  const double farSide = fromLow ? box.max[away] : fields.extentPx(edge) - box.min[away];
+  const bool moves = std::abs(direction[along]) > kStandsStill;
   const DistanceField& field = fields[edge];
+  const double end = static_cast<double>(field.size());
   double shift = 0;
-  for (int round = 0; round < 64; ++round) {
+  while (shift < mostPx) {
     const double low = box.min[along] + shift * direction[along];
     const double high = box.max[along] + shift * direction[along];
-    if (!(low >= 0 && high <= static_cast<double>(field.size()))) return std::numeric_limits<double>::infinity();
-    const auto first = static_cast<std::size_t>(std::min(std::floor(low), static_cast<double>(field.size()) - 1));
-    const auto last = static_cast<std::size_t>(std::clamp(std::ceil(high) - 1, static_cast<double>(first), static_cast<double>(field.size()) - 1));
-    const double nearest = static_cast<double>(field.min(first, last));
-    const double farSide = fromLow ? box.max[away] : fields.extentPx(edge) - box.min[away];
-    const double needed = farSide - shift * towardsEdge - nearest;
+    if (!(low >= 0 && high <= end)) return kNowhere;
+    const auto first = static_cast<std::size_t>(std::min(std::floor(low), end - 1));
+    const auto last = static_cast<std::size_t>(std::clamp(std::ceil(high) - 1, static_cast<double>(first), end - 1));
+    const double needed = farSide - shift * towardsEdge - static_cast<double>(field.min(first, last));
     if (needed <= 1e-9) return shift;
-    if (!(towardsEdge > 1e-9)) {
-      // Only other strips can help: on to the next one.
-      if (!(std::abs(direction[along]) > 1e-9)) return std::numeric_limits<double>::infinity();
-      shift += 4.0 / std::abs(direction[along]);
+    if (towardsEdge > kStandsStill) {
+      shift += std::max(needed / towardsEdge, kLeastShiftStepPx);
+    } else if (moves) {
+      shift += kSidewaysStepPx / std::abs(direction[along]);   // only other strips can help
     } else {
-      shift += std::max(needed / towardsEdge, 1e-6);
+      return kNowhere;
     }
   }
-  return std::numeric_limits<double>::infinity();
+  return kNowhere;
 }
 
 Box2 shifted(const Box2& box, const Vec2& by) { return {box.min + by, box.max + by}; }
@@ -125,6 +143,9 @@ double scoreOutside(const OtherHandle& handle, const OtherHandleContext& context
          handle.history.bonus(place.identity) + (crossings.labels ? kScoreCoversLabel : 0.0);
 }
 
+/// Whether a place outside is taken, or waited for, whatever there is inside.
+bool comesAnyway(const OtherHandle& handle, const PillPlace& outside) { return !handle.history.wasInside() && !handle.history.leftLately(outside.identity); }
+
 /// A place outside beats any inside, as for lines, but for one that was left a moment ago. What had no room, or was inside, waits until a better kind of place has been there for
 /// some frames; and while the camera comes nearer, what is inside stays there.
 std::optional<PillPlace> choose(const OtherHandle& handle, const std::optional<PillPlace>& inside, const std::optional<PillPlace>& outside) {
@@ -158,7 +179,12 @@ void placeOptions(const OtherHandle& handle, const OtherHandleContext& context, 
 
 double leastShiftPx(const DistanceFields& fields, const Box2& box, const Vec2& direction) {
   double least = std::numeric_limits<double>::infinity();
-  for (const ViewportEdge edge : kViewportEdges) least = std::min(least, leastShiftPx(fields, edge, box, direction));
+  // Where it moves towards an edge it soon clears that one's field, and need not look much further at the others.
+  for (const bool nearing : {true, false}) {
+    for (const ViewportEdge edge : kViewportEdges) {
+      if ((towards(edge, direction) > kStandsStill) == nearing) least = std::min(least, leastShiftPx(fields, edge, box, direction, least));
+    }
+  }
   return least;
 }
 
@@ -171,20 +197,19 @@ Vec2 pillSizePx(const Parameter& parameter) {
 std::optional<HiddenReason> placePill(const OtherHandle& handle, const OtherHandleContext& context, PlacedHandle& placed) {
   const Vec2 size = pillSizePx(handle.definition);
   bool anchored = false;   // an anchor is in the viewport
-  std::optional<PillPlace> inside;
-  std::optional<PillPlace> outside;
-  for (const std::size_t scope : handle.scopes) {
-    const Vec3 world = anchorOf(handle.annotation, context.scopes[scope].box);
-    if (!context.view.inFrontOfNear(world)) continue;
-    const Vec2 anchor = context.view.toScreen(world);
-    if (!onScreen(Box2{anchor, anchor}, context.view)) continue;
-    anchored = true;
-    const Box2 atAnchor = shiftedInto(Box2::around(anchor, size), context.view.viewport());
-    if (const auto box = roomAround(atAnchor, context)) {
-      const Identity identity = identityOf(handle, context.scopes[scope], -1);
-      offer({scope, anchor, *box, identity, handle.history.bonus(identity) - glm::length(box->center() - anchor)}, inside);
+  const auto forEachAnchor = [&](auto use) {
+    for (const std::size_t scope : handle.scopes) {
+      const Vec3 world = anchorOf(handle.annotation, context.scopes[scope].box);
+      if (!context.view.inFrontOfNear(world)) continue;
+      const Vec2 anchor = context.view.toScreen(world);
+      if (!onScreen(Box2{anchor, anchor}, context.view)) continue;
+      anchored = true;
+      use(scope, anchor, shiftedInto(Box2::around(anchor, size), context.view.viewport()));
     }
-    if (handle.annotation.slip == Slip::kNone) continue;
+  };
+  std::optional<PillPlace> outside;
+  forEachAnchor([&](std::size_t scope, const Vec2& anchor, const Box2& atAnchor) {
+    if (handle.annotation.slip == Slip::kNone) return;
     for (int way = 0; way < 8; ++way) {
       const auto box = roomTowards(atAnchor, compass(way), context);
       if (!box) continue;
@@ -192,6 +217,15 @@ std::optional<HiddenReason> placePill(const OtherHandle& handle, const OtherHand
       place.score = scoreOutside(handle, context, place);
       offer(place, outside);
     }
+  });
+  std::optional<PillPlace> inside;
+  if (!outside || !comesAnyway(handle, *outside)) {
+    forEachAnchor([&](std::size_t scope, const Vec2& anchor, const Box2& atAnchor) {
+      const auto box = roomAround(atAnchor, context);
+      if (!box) return;
+      const Identity identity = identityOf(handle, context.scopes[scope], -1);
+      offer({scope, anchor, *box, identity, handle.history.bonus(identity) - glm::length(box->center() - anchor)}, inside);
+    });
   }
   const auto place = choose(handle, inside, outside);
   if (!place) return anchored ? HiddenReason::kCrowded : HiddenReason::kOutOfView;

@@ -178,7 +178,6 @@ bool Trial::placeLabels(const Candidate& candidate, const Measured& measured, co
                                    .textSize = measured.textSize,
                                    .outward = candidate.lineScreen.middle() - candidate.baseScreen.middle(),
                                    .model = &context.model,
-                                   .inChain = lines_.size() > 1,
                                    .fellows = fellows_,
                                    .fellowLabels = labels_,
                                    .ahead = &context.lookAhead,

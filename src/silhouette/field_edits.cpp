@@ -2,6 +2,8 @@
 // leave. Both shapes are convex, so over one strip their extreme lies at the strip's nearest place to where the whole
 // shape has it.
 
+#include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 
@@ -12,18 +14,48 @@ namespace dimline {
 
 namespace {
 
-/// grown[i] = min(grown[i], values[i + step] - reach) and the same with -step.
-void spread(std::span<const float> values, std::size_t step, float reach, float* grown) {
-  if (step >= values.size()) return;
-  const std::size_t count = values.size() - step;
-  const float* ahead = values.data() + step;
-  float* behind = grown + step;
-  const Float4 reach4 = splat4(reach);
-  std::size_t i = 0;
-  for (; i + 4 <= count; i += 4) store4(grown + i, min4(load4(ahead + i) - reach4, load4(grown + i)));
-  for (; i < count; ++i) grown[i] = std::min(grown[i], ahead[i] - reach);
-  for (i = 0; i + 4 <= count; i += 4) store4(behind + i, min4(load4(values.data() + i) - reach4, load4(behind + i)));
-  for (; i < count; ++i) behind[i] = std::min(behind[i], values[i] - reach);
+/// How far a disc reaches across beside its middle.
+struct Reaches {
+  std::size_t first = 1;              ///< strips from the middle to the first of these
+  std::size_t count = 0;
+  std::array<float, 32> px;
+  [[nodiscard]] std::size_t last() const { return first + count - 1; }
+};
+
+/// As many steps from `first` on as there is room for. Two strips `step` apart have step - 1 px between them; that much of the radius is used up along the edge.
+Reaches reaches(double radiusPx, std::size_t first) {
+  Reaches reaches{.first = first, .px = {}};
+  for (; reaches.count < reaches.px.size(); ++reaches.count) {
+    const double gap = static_cast<double>(first + reaches.count) - 1;
+    if (gap >= radiusPx) break;
+    reaches.px[reaches.count] = static_cast<float>(std::sqrt(radiusPx * radiusPx - gap * gap));
+  }
+  return reaches;
+}
+
+/// grown[i] = min(grown[i], values[i + step] - reach, values[i - step] - reach) for those steps and the strips [begin, end).
+void spread(std::span<const float> values, const Reaches& by, std::size_t begin, std::size_t end, float* grown) {
+  const auto one = [&](std::size_t i) {
+    float least = grown[i];
+    for (std::size_t k = 0; k < by.count; ++k) {
+      const std::size_t step = by.first + k;
+      if (i >= step) least = std::min(least, values[i - step] - by.px[k]);
+      if (i + step < values.size()) least = std::min(least, values[i + step] - by.px[k]);
+    }
+    grown[i] = least;
+  };
+  std::size_t i = begin;
+  for (; i < std::min(by.last(), end); ++i) one(i);
+  for (; i + 4 <= end && i + by.last() + 4 <= values.size(); i += 4) {
+    Float4 least = load4(grown + i);
+    for (std::size_t k = 0; k < by.count; ++k) {
+      const Float4 reach = splat4(by.px[k]);
+      const float* middle = values.data() + i;
+      least = min4(load4(middle - by.first - k) - reach, min4(load4(middle + by.first + k) - reach, least));
+    }
+    store4(grown + i, least);
+  }
+  for (; i < end; ++i) one(i);
 }
 
 /// A closed interval of distances from a viewport edge.
@@ -215,11 +247,15 @@ void pad(const DistanceFields& fields, double radiusPx, DistanceFields& padded) 
     const std::span<const float> values = fields[edge].values();
     const std::span<float> grown = padded[edge].edit();
     for (std::size_t i = 0; i < values.size(); ++i) grown[i] = values[i] - static_cast<float>(radiusPx);
-    // Two strips `step` apart have step - 1 px between them; that much of the disc's radius is used up along the edge.
-    for (std::size_t step = 1; static_cast<double>(step) - 1 < radiusPx; ++step) {
-      const double gap = static_cast<double>(step) - 1;
-      spread(values, step, static_cast<float>(std::sqrt(radiusPx * radiusPx - gap * gap)), grown.data());
-    }
+    // Most of a viewport is empty on both sides of the model.
+    const auto isSeen = [](float value) { return value < kNoSilhouette; };
+    const auto first = static_cast<std::size_t>(std::ranges::find_if(values, isSeen) - values.begin());
+    if (first == values.size()) continue;
+    const auto last = values.size() - 1 - static_cast<std::size_t>(std::ranges::find_if(values.rbegin(), values.rend(), isSeen) - values.rbegin());
+    const auto far = static_cast<std::size_t>(std::ceil(radiusPx));
+    const std::size_t begin = first - std::min(first, far);
+    const std::size_t end = std::min(last + far + 1, values.size());
+    for (Reaches by = reaches(radiusPx, 1); by.count > 0; by = reaches(radiusPx, by.last() + 1)) spread(values, by, begin, end, grown.data());
   }
   padded.buildTrees();
 }

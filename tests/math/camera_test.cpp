@@ -1,5 +1,6 @@
 #include "math/camera.h"
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -204,6 +205,26 @@ TEST_CASE("a pixel's length in the world is what moves a point by one pixel") {
     REQUIRE(moved.x == Approx(1).margin(1e-6));
     REQUIRE(moved.y == Approx(0).margin(1e-6));
   }
+}
+
+TEST_CASE("no metre within a ball looks longer than the most that is said of it") {
+  Random random(8);
+  double closest = 0;   // of what was seen to the most that was said
+  for (const Camera& camera : manyCameras()) {
+    const View view(camera, 640, 360, unitBounds());
+    for (int i = 0; i < 200; ++i) {
+      const Vec3 center = random.point(Vec3(-1.0), Vec3(1.0));
+      const double radius = random.real(0.01, 0.2);
+      const double most = view.mostPixelsPerMetre(center, radius);
+      const auto within = [&] { return center + random.direction() * random.real(0, radius); };
+      const Segment segment{within(), within()};
+      if (!view.inFrontOfNear(segment.start) || !view.inFrontOfNear(segment.end)) continue;
+      const double seen = view.toScreen(segment).length() / segment.length();
+      CHECK(seen <= most * (1 + 1e-9));
+      closest = std::max(closest, seen / most);
+    }
+  }
+  CHECK(closest > 0.8);   // not just any large number
 }
 
 // --- Cameras that show a model

@@ -171,7 +171,9 @@ TEST_CASE("where labels were is remembered for chains that have other numbers no
 }
 
 TEST_CASE("a label keeps clear of its chain's other lines and their labels, and finds another place for that") {
-  LabelRequest request{.line = {{400, 500}, {440, 500}}, .textSize = kText, .inChain = true};
+  LabelRequest request{.line = {{400, 500}, {440, 500}}, .textSize = kText};
+  std::vector<Segment2> fellows{request.line, {{440, 500}, {480, 500}}};
+  request.fellows = fellows;
   const auto alone = placeLabel(request, Landed{}, kViewport);
   REQUIRE(alone);
   const std::vector fellowLabels{alone->box};
@@ -179,7 +181,7 @@ TEST_CASE("a label keeps clear of its chain's other lines and their labels, and 
   const auto beside = placeLabel(request, Landed{}, kViewport);
   REQUIRE(beside);
   CHECK_FALSE(beside->box.grown(kLabelClearancePx).overlaps(alone->box));
-  const std::vector<Segment2> fellows{{{300, beside->box.center().y}, {600, beside->box.center().y}}};
+  fellows.push_back({{300, beside->box.center().y}, {600, beside->box.center().y}});
   request.fellows = fellows;
   CHECK_FALSE(placeLabel(request, Landed{}, kViewport));   // neither above the line nor below it
 }

@@ -36,6 +36,28 @@ TEST_CASE("a line nests within one that has landed when it is nearer to the mode
   CHECK_FALSE(landed.nestsWithin(base, {{50, 70}, {50, 70}}, -1));                             // a line of no length
 }
 
+TEST_CASE("neighbours in a chain land the extension line between them once, and go back together") {
+  constexpr int kChain = 4;
+  PlacedLine member;
+  member.parameter = kChain;
+  member.extensionStart = {{100, 100}, {100, 40}};
+  member.extensionEnd = {{200, 100}, {200, 40}};
+  PlacedLine next = member;
+  next.extensionStart = {{200, 100 + 1e-9}, {200, 40}};   // but for rounding
+  next.extensionEnd = {{300, 100}, {300, 40}};
+  Landed landed;
+  const Landed::Mark before = landed.mark();
+  landed.add(member, kGuide);
+  CHECK(landed.hasExtension({{200, 100}, {200, 40}}, kChain));
+  CHECK_FALSE(landed.hasExtension({{200, 100}, {200, 40}}, kChain + 1));   // another's may go while this one stays
+  CHECK_FALSE(landed.hasExtension({{200, 40}, {200, 100}}, kChain));
+  landed.add(next, kGuide);
+  CHECK(landed.mark().extensions == 3);
+  CHECK_FALSE(landed.clearsExtensions({{195, 60}, {205, 70}}));
+  landed.backTo(before);
+  CHECK(landed.clearsExtensions({{195, 60}, {205, 70}}));
+}
+
 TEST_CASE("what was added after a mark is taken back") {
   Landed landed = withShortLine();
   const Landed::Mark mark = landed.mark();

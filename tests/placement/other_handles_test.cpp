@@ -83,6 +83,21 @@ TEST_CASE("the least shift of a box out of the model, worked out by hand") {
   CHECK(leastShiftPx(stage.fields, {{100, 100}, {140, 120}}, {0, -1}) == 0.0);
 }
 
+TEST_CASE("a box finds its way along a model that has no end for a long stretch") {
+  DistanceFields fields;
+  fields.reset(4000, 400);
+  for (std::size_t i = 0; i < 3000; ++i) fields[ViewportEdge::kTop].edit()[i] = 100;
+  for (const ViewportEdge edge : {ViewportEdge::kLeft, ViewportEdge::kRight, ViewportEdge::kBottom}) {
+    for (float& value : fields[edge].edit()) value = 0;   // no way out there but out of the viewport
+  }
+  fields.buildTrees();
+  const Box2 box{{10, 150}, {50, 170}};
+  CHECK(leastShiftPx(fields, box, {1, 0}) == Approx(2990).margin(4));   // beside its end, by whole steps
+  CHECK(leastShiftPx(fields, box, {0, -1}) == Approx(70));
+  CHECK(leastShiftPx(fields, box, {0, 1}) == Approx(250));   // out of the viewport, below
+  CHECK(leastShiftPx(fields, box, {-1, 0}) == Approx(50));
+}
+
 TEST_CASE("a switch stands 30 px above the middle of the face its orientation names") {
   FrontOfBox stage;
   const Parameter parameter{.name = "Attic", .title = "Attic", .type = ParameterType::kBool};
