@@ -1,3 +1,4 @@
+import { modelOf, valuesOf, withModel, withValues } from "./address.js";
 import "./dimline_editor.js";
 import { ModelPicker } from "./model_picker.js";
 import { stepped } from "./numbers.js";
@@ -13,10 +14,9 @@ const measures = byId("measures");
 const hint = byId("hint");
 const narrow = matchMedia("(max-width: 639px), (max-width: 1023px) and (orientation: portrait)");
 
-// The address says which model is shown: ?model=boat, or none for the one the page was written with.
-const kModelKey = "model";
+// The address says which model is shown, or none for the one the page was written with, and what has been changed in it.
 const firstModel = editor.model;
-const modelOfAddress = () => new URLSearchParams(location.search).get(kModelKey) ?? firstModel;
+const modelOfAddress = () => modelOf(location.href) ?? firstModel;
 editor.model = modelOfAddress();
 
 // What the row in use is about, or else how to begin.
@@ -97,7 +97,6 @@ function showDocument() {
   byId("title").textContent = byId("document").textContent = title;
   document.title = `${title} – Dimline`;
   picker.show(models, editor.model);
-  rememberModel();
   panel.build(editor.getParameters());
   panelNode.dataset.state = "ready";
   for (const button of document.querySelectorAll(".views button")) button.disabled = false;
@@ -105,6 +104,7 @@ function showDocument() {
   showProjection();
   showMore();
   byId("parameters").parentElement.scrollTop = 0; // what was scrolled to was the last model's
+  remember();
 }
 
 // Which lines there are beyond those that the picture needs. A model without measures needs no button for them.
@@ -114,12 +114,22 @@ function showMore() {
   measures.hidden = editor.getMeasures().length === 0;
 }
 
-// A step in the browser's history, unless the address says so already: then it is where the model came from.
-function rememberModel() {
-  if (modelOfAddress() === editor.model) return;
-  const address = new URL(location.href);
-  address.searchParams.set(kModelKey, editor.model);
-  history.pushState(null, "", address);
+// Another model is a step in the browser's history, unless the address says so already: then it is where the model came from.
+function remember() {
+  const parameters = editor.getParameters();
+  if (modelOfAddress() !== editor.model) history.pushState(null, "", withModel(location.href, editor.model));
+  const address = withValues(location.href, parameters);
+  if (address !== location.href) history.replaceState(null, "", address);
+}
+
+// A model that was chosen in the page begins with its defaults; one that the address brings, with what that says.
+function recall() {
+  if (modelOfAddress() !== editor.model) return;
+  const parameters = editor.getParameters();
+  const { values, problems } = valuesOf(location.href, parameters);
+  const all = { ...panel.defaults(parameters), ...values };
+  if (Object.keys(all).length > 0) attempt(() => editor.setParameters(all));
+  if (problems.length > 0) say(problems.join(" "));
 }
 
 // The editor itself tells why it cannot go on; the page tells why a document could not be loaded while another is shown.
@@ -135,6 +145,7 @@ function showFailure(error) {
   else if (!editor.error) say(error.message);
 }
 
+editor.addEventListener("load", recall);
 // The first picture does not wait for the panel beside it, which takes a while to build: it is painted first.
 editor.addEventListener("load", () => requestAnimationFrame(() => setTimeout(showDocument)), { once: true });
 editor.addEventListener("load", () => {
@@ -154,7 +165,10 @@ editor.addEventListener("input", () => {
   dragging = true;
   requestAnimationFrame(untilDragEnds);
 });
-editor.addEventListener("change", () => showValues(false));
+editor.addEventListener("change", () => {
+  showValues(false);
+  if (panelNode.dataset.state === "ready") remember();
+});
 editor.addEventListener("camera-change", showProjection);
 
 // Numbers in another manner: the editor has changed by now, for it heard first.
@@ -211,6 +225,7 @@ byId("reset-all").addEventListener("click", () =>
 );
 addEventListener("popstate", () => {
   if (editor.model !== modelOfAddress()) editor.model = modelOfAddress();
+  else if (panelNode.dataset.state === "ready") recall();
 });
 
 // On a phone the panel is a sheet under the picture, which folds.

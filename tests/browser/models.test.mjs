@@ -81,6 +81,59 @@ test("a click chooses, the address remembers, and the browser's way back leads b
   await close();
 });
 
+const valuesOf = async (page) => Object.fromEntries((await call(page, "getParameters")).map((p) => [p.name, p.value]));
+
+test("what was changed is still there after a reload, after another model, and behind a link", async () => {
+  const { page, complaints, close } = await openPage(browser);
+  assert.equal(new URL(page.url()).hash, "", "nothing is changed yet");
+  await call(page, "setParameters", { Width: 9.7, RoofType: "hip", Balcony: false });
+  await settle(page);
+  const made = await valuesOf(page);
+  assert.equal(made.Width, 9.7);
+  const link = page.url();
+
+  await page.reload();
+  await ready(page);
+  await settle(page);
+  assert.deepEqual(await valuesOf(page), made);
+  assert.equal(await page.locator('[data-name="Width"] .number').inputValue(), "9.7");
+  assert.equal(page.url(), link);
+
+  await openMenu(page);
+  await dialog(page).getByRole("link", { name: "Galleon", exact: true }).click();
+  await settle(page);
+  assert.equal(new URL(page.url()).hash, "", "the galleon has its own values");
+  await page.goBack();
+  await settle(page);
+  assert.equal(await modelOf(page), "house");
+  assert.deepEqual(await valuesOf(page), made);
+
+  // Undone to the defaults, the address says nothing; another one is followed without a reload.
+  await page.getByRole("button", { name: "Reset all" }).click();
+  await settle(page);
+  assert.equal(new URL(page.url()).hash, "");
+  await page.evaluate(() => (location.hash = "Width=10.2"));
+  await settle(page);
+  assert.equal((await valuesOf(page)).Width, 10.2);
+  assert.equal((await valuesOf(page)).Balcony, true);
+  await page.goto(link);
+  await settle(page);
+  assert.deepEqual(await valuesOf(page), made);
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
+test("an address that asks for what cannot be had shows the rest, and says so", async () => {
+  const { page, complaints, close } = await openPage(browser, { path: "#Width=wide&Depth=700&Moat=3" });
+  const parameters = await call(page, "getParameters");
+  const depth = parameters.find((p) => p.name === "Depth");
+  assert.equal(depth.value, depth.max);
+  assert.equal(parameters.find((p) => p.name === "Width").value, parameters.find((p) => p.name === "Width").default);
+  assert.match(await page.locator("#status").textContent(), /Width.*number.*Moat/);
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
 test("the menu works from the keyboard alone", async () => {
   const { page, close } = await openPage(browser);
   const models = await call(page, "getModels");
