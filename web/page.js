@@ -79,9 +79,12 @@ function showValues(live) {
   const parameters = editor.getParameters();
   panel.show(parameters, live);
   panel.showMeasures(editor.getMeasures());
+  if (!live) panel.markIdle(withoutScope());
   byId("reset-all").disabled = parameters.every((p) => p.value === p.default);
   showHistory();
 }
+
+const withoutScope = () => editor.layout().hidden.filter(({ reason }) => reason === "no-scope").map(({ parameter }) => parameter);
 
 function showProjection() {
   const { orthographic } = editor;

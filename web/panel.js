@@ -3,6 +3,7 @@ import { choiceTitle, decimalsOf, keySteps, kUnits, numberText } from "./numbers
 
 const kIcons = "assets/icons/icons.svg";
 const kMostSegments = 4; // more choices than these go into a menu
+const kIdle = "No effect as the model is now.";
 
 function makeIcon(name) {
   const kSvg = "http://www.w3.org/2000/svg";
@@ -79,6 +80,16 @@ export class Panel {
     }
   }
 
+  /** Marks the rows of what the model has nothing of as it is now, such as the pitch of a flat roof: they can be set for later. */
+  markIdle(names) {
+    for (const [name, row] of this.#rows) {
+      const idle = names.includes(name);
+      row.node.toggleAttribute("data-idle", idle);
+      row.node.title = idle ? kIdle : "";
+      row.idle.hidden = !idle;
+    }
+  }
+
   /** Shows one value as it is, over whatever was typed. */
   refresh(parameter) {
     this.#rows.get(parameter.name)?.show(parameter, true);
@@ -129,7 +140,9 @@ export class Panel {
     // The head's last control stands at the right edge, the reset button before it.
     const control = head[1];
     if (control) node.firstChild.append(control);
-    this.#rows.set(parameter.name, { node, reset, show, value: undefined });
+    const idle = make("span", { class: "sr-only", hidden: true }, kIdle);
+    head[0].after(idle);
+    this.#rows.set(parameter.name, { node, reset, idle, show, value: undefined });
     return node;
   }
 }

@@ -161,14 +161,40 @@ test("everything that can be clicked has a name and is at least 24 px in both di
   assert.deepEqual(small, []);
 });
 
-test("reloading starts anew, without a complaint", async () => {
+test("what has no effect as the model is now is pale, says so, and can be set all the same", async () => {
+  const pitch = row("RoofPitch");
+  const opacity = () => pitch.locator("input[type=range]").evaluate((node) => Number(getComputedStyle(node).opacity));
+  const sentence = pitch.getByText("No effect");
+  assert.equal(await opacity(), 1);
+  assert.ok(await sentence.isHidden());
+  await call(page, "setParameters", { RoofType: "flat" });
+  await settle(page);
+  assert.ok((await opacity()) < 0.7);
+  assert.ok(await sentence.isVisible());
+  assert.equal(await page.locator(".row[data-idle]").count(), 1);
+  await pitch.locator("input.number").fill("30");
+  await page.keyboard.press("Enter");
+  await call(page, "setParameters", { RoofType: "gable" });
+  await settle(page);
+  assert.equal(await valueOf(page, "RoofPitch"), 30);
+  assert.equal(await opacity(), 1);
+  assert.equal(await page.locator(".row[data-idle]").count(), 0);
+  await page.click("#reset-all");
+  await settle(page);
+});
+
+test("reloading keeps what was changed and forgets the camera, without a complaint", async () => {
+  const opening = await call(page, "getCamera");
   await call(page, "setParameters", { Width: 9 });
+  await call(page, "setView", "front");
   await settle(page);
   await page.reload();
   await ready(page);
   await settle(page);
-  const width = (await parameters()).find((p) => p.name === "Width");
-  assert.equal(width.value, width.default);
+  assert.equal(await valueOf(page, "Width"), 9);
+  assert.deepEqual(await call(page, "getCamera"), opening);
+  await page.click("#reset-all");
+  await settle(page);
   assert.deepEqual(tab.complaints, []);
 });
 
