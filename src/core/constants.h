@@ -185,6 +185,9 @@ inline constexpr double kScoreNestsWithin = -8.0 * kHandleSpacingPx;
 /// Beyond the paper: an extension line through a label that has landed makes it hard to read, which a crossing of two thin lines does
 /// not; such a place is taken only when it is much nearer than any other.
 inline constexpr double kScoreCoversLabel = -6.0 * kHandleSpacingPx;
+/// px of score by which a place must be better, but for labels in its way, than the one that is chosen, for those labels to be asked to give way. Less: they give way, or are left out, for
+/// nothing. More: lines go behind the model for the sake of a number that could stand elsewhere.
+inline constexpr double kWorthAskingPx = 3.0 * kHandleSpacingPx;
 
 /// Beyond the paper: a place that brings a line within handleSpacing of where a later one stood in the last frame pushes that one away, and what comes after
 /// it as well; it costs this much. More: short lines wander far out to leave long ones alone. Less: more changes come in cascades.

@@ -10,6 +10,8 @@ namespace dimline {
 
 bool Chooser::choose(const Measured& measured, const ChoiceContext& context, const History& history) {
   cramped_ = false;
+  wishedLines_.clear();
+  wishedScore_ = -std::numeric_limits<double>::infinity();
   // A chain moves as a whole, so of its members' base lines it is enough to know that there is one, unless they have to stand for themselves.
   const bool chained = !measured.clusters.empty();
   const auto enough = chained ? Enough::kOne : Enough::kAll;
@@ -99,9 +101,12 @@ bool Chooser::chooseBest(const Measured& measured, const ChoiceContext& context,
       if (candidate.secondOffset != second) continue;
       if (second ? !firstOffsetFailed : found && bestScore >= candidate.score) continue;
       const auto beaten = [&](double score) { return found && bestScore >= score; };
-      const auto inPlace = [&] { return Trial::amongOthers(candidate, context, found ? bestScore : -std::numeric_limits<double>::infinity()); };
+      // By how much labels lower its score that may yet give way.
+      const auto forLabels = [&](const Trial::AmongOthers& among) { return context.asksForRoom && among.landed.labels ? -kScoreCoversLabel : 0.0; };
+      const double enough = found && !context.asksForRoom ? bestScore : -std::numeric_limits<double>::infinity();
+      const auto inPlace = [&] { return Trial::amongOthers(candidate, context, enough); };
       Trial::AmongOthers among = inPlace();
-      if (beaten(among.score)) continue;
+      if (beaten(among.score + forLabels(among))) continue;
       const Segment2 triedAt = candidate.lineScreen;
       if (!trial_.settle(candidate, measured, context)) {
         firstOffsetFailed = firstOffsetFailed || candidate.hasSecondOffset;
@@ -111,6 +116,10 @@ bool Chooser::chooseBest(const Measured& measured, const ChoiceContext& context,
       if (candidate.lineScreen.start != triedAt.start) among = inPlace();
       if (trial_.lines().size() > 1) trial_.addMembers(among, context);
       trial_.pushClear(candidate, among, measured, context, history);
+      if (forLabels(among) > 0 && among.score + forLabels(among) > wishedScore_) {
+        wishedScore_ = among.score + forLabels(among);
+        wishedLines_.assign(trial_.lines().begin(), trial_.lines().end());
+      }
       if (beaten(among.score)) continue;
       // The padded fields know nothing of lines inside the model.
       if (among.landed.lines && context.occupied.landed().runsInto(candidate.lineScreen)) continue;
@@ -121,6 +130,7 @@ bool Chooser::chooseBest(const Measured& measured, const ChoiceContext& context,
       trial_.swapLines(winnerLines_);
     }
   }
+  if (found && wishedScore_ <= bestScore + kWorthAskingPx) wishedLines_.clear();
   return found;
 }
 

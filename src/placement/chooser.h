@@ -17,6 +17,8 @@ class Chooser {
 
   [[nodiscard]] const Candidate& winner() const { return winner_; }
   [[nodiscard]] std::span<const ChosenLine> lines() const { return winnerLines_; }
+  /// The lines of a place that would have been chosen had no label been in their way; none when there is no such place, or labels do not give way (ChoiceContext::asksForRoom).
+  [[nodiscard]] std::span<const ChosenLine> wished() const { return wishedLines_; }
   /// What the choice is worth among what has landed before it.
   struct Worth {
     double score = 0;             ///< px; hysteresis left out, with what it runs into
@@ -41,6 +43,8 @@ class Chooser {
   Candidate winner_;
   Trial::AmongOthers winnerAmongOthers_;    ///< of a winner outside
   std::vector<ChosenLine> winnerLines_;
+  std::vector<ChosenLine> wishedLines_;
+  double wishedScore_ = 0;                  ///< but for labels
   Trial trial_;                             ///< of the candidate that is looked at
   std::vector<UsableBaseLine> bases_;
   std::vector<UsableBaseLine> chainBases_;

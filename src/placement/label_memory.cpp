@@ -27,10 +27,10 @@ void LabelMemory::note(std::span<const PlacedLine> lines, bool viewMoved) {
   for (std::size_t i = 0; i < lines.size(); ++i) {
     const PlacedLine& line = lines[i];
     nth = i > 0 && lines[i - 1].parameter == line.parameter ? nth + 1 : 0;
-    if (!line.label) continue;
+    const auto place = line.label ? std::optional(line.labelPlace) : std::nullopt;
     const Label* label = find(line.identity, nth);
-    const bool stayed = label != nullptr && label->place == line.labelPlace;
-    before_.push_back({line.identity, line.labelPlace, stayed ? std::min(label->framesHeld + (viewMoved ? 1 : 0), kReturnFrames) : 0});
+    const bool stayed = label != nullptr && label->place == place;
+    before_.push_back({line.identity, place, stayed ? std::min(label->framesHeld + (viewMoved ? 1 : 0), kReturnFrames) : 0});
   }
   labels_.swap(before_);
 }

@@ -10,15 +10,15 @@ namespace dimline {
 
 /// Where a label lay on its line in the last frame.
 struct LastLabelPlace {
-  LabelPlace place;
-  bool mayLeave = false;   ///< for a better place; or else only when there is no room any more
+  std::optional<LabelPlace> place;   ///< none: the line had no label
+  bool mayLeave = false;   ///< for a better place, or be shown again; or else only when there is no room any more
 };
 
 /// Where labels lay on their lines in the last frame. Of several places a label would take the first that is free just now, and hop along its line with all that passes by; so it is looked for where it was, and
 /// goes to a better place only after kReturnFrames moved frames. Beyond the paper, whose figures have labels but no rule for them.
 class LabelMemory {
  public:
-  /// Of a line that had a label and keeps its place. The label may leave when it has stayed for kReturnFrames and the view has moved. `nth`: which of its parameter's lines it is, to be found sooner.
+  /// Of a line that keeps its place. Its label may leave, or come back, when it has stayed, or been away, for kReturnFrames and the view has moved. `nth`: which of its parameter's lines it is, to be found sooner.
   [[nodiscard]] std::optional<LastLabelPlace> last(const Identity& line, std::size_t nth, bool viewMoved) const;
   /// The frame is placed.
   void note(std::span<const PlacedLine> lines, bool viewMoved);
@@ -37,8 +37,8 @@ class LabelMemory {
  private:
   struct Label {
     Identity line;
-    LabelPlace place;
-    int framesHeld = 0;   ///< moved frames since it came there; counts to kReturnFrames
+    std::optional<LabelPlace> place;
+    int framesHeld = 0;   ///< moved frames since it came there, or went; counts to kReturnFrames
   };
   [[nodiscard]] const Label* find(const Identity& line, std::size_t nth) const;
 

@@ -112,9 +112,11 @@ std::optional<LabelFound> placeLabel(const LabelRequest& request, const Landed& 
   if (!visible) return std::nullopt;
   const Places places(request, *visible, landed, viewport);
   const bool mayLeave = request.last && request.last->mayLeave;
-  const auto stay = [&] { return places.tryAt(request.last->place); };
-  if (request.last && !mayLeave) {
-    if (auto found = stay()) return found;
+  const std::optional<LabelPlace> last = request.last ? request.last->place : std::nullopt;
+  const bool wasLeftOut = request.last && !last;
+  if (request.orNone && wasLeftOut && !mayLeave) return std::nullopt;
+  if (last && !mayLeave) {
+    if (auto found = places.tryAt(*last)) return found;
   }
   std::optional<LabelFound> inTheWay;   // of what is ahead
   const auto tryAt = [&](LabelPlace place) -> std::optional<LabelFound> {
@@ -125,11 +127,11 @@ std::optional<LabelFound> placeLabel(const LabelRequest& request, const Landed& 
     return std::nullopt;
   };
   // Where something is in its way now it goes as little along the line as it can.
-  const bool alongLine = request.last && !mayLeave && request.last->place.side == LabelPlace::Side::kOnLine;
+  const bool alongLine = last && !mayLeave && last->side == LabelPlace::Side::kOnLine;
   for (int by = 0; alongLine && by <= 2 * kEighths; ++by) {
-    LabelPlace place = request.last->place;
+    LabelPlace place = *last;
     for (const int sense : {-1, 1}) {
-      const int eighth = request.last->place.eighth + sense * by;
+      const int eighth = last->eighth + sense * by;
       if (std::abs(eighth) > kEighths || (by == 0 && sense > 0)) continue;
       place.eighth = static_cast<std::int8_t>(eighth);
       if (auto found = tryAt(place)) return found;
@@ -138,8 +140,9 @@ std::optional<LabelFound> placeLabel(const LabelRequest& request, const Landed& 
   for (const LabelPlace& place : kOrder) {
     if (auto found = tryAt(place)) return found;
   }
-  if (mayLeave && request.ahead != nullptr) {
-    if (auto found = stay()) return found;
+  if (request.orNone) return std::nullopt;
+  if (last && mayLeave && request.ahead != nullptr) {
+    if (auto found = places.tryAt(*last)) return found;
   }
   return inTheWay;
 }

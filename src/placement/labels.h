@@ -23,6 +23,7 @@ struct LabelRequest {
   std::span<const Segment2> fellows = {};       ///< px, the lines of its chain, this one among them, and
   std::span<const Box2> fellowLabels = {};      ///< their labels so far: to be kept clear of as well
   const LookAhead* ahead = nullptr;   ///< the label keeps off what is ahead where it can
+  bool orNone = false;                ///< where it cannot there shall be none, unless it stays where it was; nor one that was left out just now: others of its chain say the same
   std::optional<LastLabelPlace> last = {};
 };
 

@@ -116,6 +116,7 @@ struct Placer::State {
   Past beforePlacing;                 ///< in a viewport that may be too small: what to go back to
   Outcome outcome;
   bool firm = false;                  ///< see ChoiceContext
+  bool asksForRoom = false;           ///< see ChoiceContext
   struct Avoided {
     std::size_t rank = 0;
     Identity place;
@@ -143,6 +144,7 @@ struct Placer::State {
   void keepChains(std::span<const Measured> before, const Measured& now);
   bool beginFrame(const View& view);
   void placeOnce(const FrameToPlace& frame, bool sceneChanged, bool shown, Layout& layout);
+  void noteChoice(const Measured& measured);
   void mend(const FrameToPlace& frame, Layout& layout);
   void swapWithBest(Layout& layout);
   void placeWithRoom(const FrameToPlace& frame, Layout& layout);
@@ -282,11 +284,14 @@ void Placer::place(const View& view, const DistanceFields& fields, const Values&
   const bool wasHeld = std::exchange(s.past.held, !held.empty());
   s.firm = !sceneChanged && held.empty() && !wasHeld;
   s.occupied.begin(fields);
-  s.placeOnce(frame, sceneChanged, true, layout);
   // In a first picture nothing is known of what is ahead, and little is mended: more rounds of the same view make up for that.
+  const int rounds = first && held.empty() ? kFirstPictureRounds : 1;
+  s.asksForRoom = rounds > 1;
+  s.placeOnce(frame, sceneChanged, true, layout);
   const bool firm = s.firm;
-  for (int round = 1; first && held.empty() && round < kFirstPictureRounds; ++round) {
+  for (int round = 1; round < rounds; ++round) {
     s.firm = true;
+    s.asksForRoom = round + 1 < rounds;
     for (History& history : s.past.histories) history.age();
     s.placeOnce(frame, false, false, layout);
   }
@@ -402,7 +407,7 @@ bool Placer::State::placeAll(const FrameToPlace& frame, std::size_t crowded, Lay
       const Identity* avoid = avoided && avoided->rank == rank ? &avoided->place : nullptr;
       const bool runsInto = placeLines(rank,
                                        {view, fields, occupied, past.lookAhead, past.labels, object, foresight, scopes, usableScopes(measured), object.toleranceM, viewMoved,
-                                        firm, avoid, showHidden},
+                                        firm, avoid, asksForRoom, showHidden},
                                        values.at(measured.parameter), layout);
       // A measure takes no place from what can be edited.
       cramped |= runsInto && !parameters[measured.parameter].measure;
@@ -486,7 +491,21 @@ bool Placer::State::placeLines(std::size_t rank, const ChoiceContext& context, d
                  away(winner.baseScreen, winner.lineScreen));
   if (context.avoid != nullptr) history.prefer();
   landChoice(measured, value, layout);
+  noteChoice(measured);
   return chooser.cramped();
+}
+
+/// Says where the choice lies to those who come before it in the next frame. One that gave way to a label asks for the room where it would have lain, and looks there again.
+void Placer::State::noteChoice(const Measured& measured) {
+  const auto wished = chooser.wished();
+  for (const ChosenLine& line : wished.empty() ? chooser.lines() : wished) {
+    if (chooser.winner().placement == PlacementKind::kInside) {
+      past.lookAhead.noteInside(measured.parameter, line.base);
+    } else {
+      past.lookAhead.note(measured.parameter, line.base, line.foot, line.line);
+    }
+  }
+  if (!wished.empty()) past.histories[measured.parameter] = History(static_cast<std::int32_t>(measured.parameter));
 }
 
 /// Adds what the choice is worth, and what is amiss with it, to the frame's outcome.
@@ -538,9 +557,6 @@ void Placer::State::landChoice(const Measured& measured, double value, Layout& l
       const Vec2 along = chosen.lineScreen.end - chosen.lineScreen.start;
       moveAside(line.extensionStart, along, occupied.landed());
       moveAside(line.extensionEnd, -along, occupied.landed());
-      past.lookAhead.note(measured.parameter, chosen.base, chosen.foot, chosen.line);
-    } else {
-      past.lookAhead.noteInside(measured.parameter, chosen.base);
     }
     // A parameter has at most one chain in a frame, so its number says which chain it is.
     line.chain = winner.identity.chain >= 0 ? static_cast<std::int32_t>(measured.parameter) : -1;

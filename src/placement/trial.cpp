@@ -165,13 +165,13 @@ bool Trial::settle(Candidate& candidate, const Measured& measured, const ChoiceC
   return false;
 }
 
-/// As many lines carry a text as have room; false when none has.
+/// As many lines carry a text as have room without being in the way of what is ahead, or else the first that has room; false when none has.
 bool Trial::placeLabels(const Candidate& candidate, const Measured& measured, const ChoiceContext& context) {
   labels_.clear();
   fellows_.clear();
   for (const ChosenLine& line : lines_) fellows_.push_back(line.lineScreen);
   Identity identity = candidate.identity;
-  for (std::size_t i = 0; i < lines_.size(); ++i) {
+  const auto place = [&](std::size_t i, bool orNone) {
     ChosenLine& line = lines_[i];
     identity.scopeIndex = static_cast<std::int32_t>(context.scopes[line.scope].index);
     const auto found = placeLabel({.line = line.lineScreen,
@@ -181,13 +181,16 @@ bool Trial::placeLabels(const Candidate& candidate, const Measured& measured, co
                                    .fellows = fellows_,
                                    .fellowLabels = labels_,
                                    .ahead = &context.lookAhead,
+                                   .orNone = orNone,
                                    .last = context.labels.last(identity, i, context.viewMoved)},
                                   context.occupied.landed(), context.view.viewport());
-    if (!found) continue;
+    if (!found) return;
     line.label = found->box;
     line.labelPlace = found->place;
     labels_.push_back(found->box);
-  }
+  };
+  for (std::size_t i = 0; i < lines_.size(); ++i) place(i, lines_.size() > 1);
+  for (std::size_t i = 0; lines_.size() > 1 && labels_.empty() && i < lines_.size(); ++i) place(i, false);
   return !labels_.empty();
 }
 

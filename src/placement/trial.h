@@ -26,6 +26,7 @@ struct ChoiceContext {
   bool viewMoved = false;                   ///< since the last frame
   bool firm = false;                        ///< the last frame's place is kept wherever it still is one
   const Identity* avoid = nullptr;          ///< a place that is not looked at
+  bool asksForRoom = false;                 ///< labels may yet give way, in another round of the same frame
   bool showAll = false;                     ///< base lines that are short or point at the viewer can be used too
 };
 

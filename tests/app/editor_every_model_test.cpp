@@ -207,3 +207,31 @@ TEST_CASE("a finger that is taken away takes its own gesture along, and no other
   stage.editor.cancelPointer(2);
   REQUIRE(stage.editor.camera().eye == before.eye);
 }
+
+TEST_CASE("in the Parthenon's first picture its width is measured along the front, where the columns' numbers make room for it") {
+  const auto models = builtInModels();
+  const auto parthenon = std::ranges::find(models, "parthenon", &BuiltInModel::name);
+  REQUIRE(parthenon != models.end());
+  const EditorStage stage(parthenon->define(), 976, 744);
+  const Editor& editor = stage.editor;
+  const auto width = findParameter(editor.model().parameters(), "Width");
+  REQUIRE(width);
+  const auto& lines = editor.layout().lines;
+  const auto line = std::ranges::find(lines, *width, &PlacedLine::parameter);
+  REQUIRE(line != lines.end());
+  const View& view = editor.layout().view;
+  const Vec3 middle = editor.scene().bounds.center();
+  CHECK(view.depth(line->base.middle()) < view.depth(middle));
+  // Nothing runs through a number of the columns' chain.
+  const auto spacing = findParameter(editor.model().parameters(), "ColumnSpacing");
+  REQUIRE(spacing);
+  int labels = 0;
+  for (const PlacedLine& column : lines) {
+    if (column.parameter != *spacing || !column.label) continue;
+    ++labels;
+    for (const auto* extension : {&line->extensionStart, &line->extensionEnd}) {
+      for (std::size_t i = 1; i < extension->size(); ++i) CHECK_FALSE(meets(Segment2{(*extension)[i - 1], (*extension)[i]}, *column.label));
+    }
+  }
+  CHECK(labels >= 1);
+}

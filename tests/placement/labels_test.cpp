@@ -92,7 +92,7 @@ TEST_CASE("a label that would leave the viewport goes elsewhere, and where nothi
 
 TEST_CASE("a label stays where it was, or as near by as it can, though places before that are free") {
   LabelRequest request{.line = {{100, 500}, {300, 500}}, .textSize = kText};
-  request.last = LastLabelPlace{.place = {.side = LabelPlace::Side::kOnLine, .eighth = 4}};
+  request.last = LastLabelPlace{.place = LabelPlace{.side = LabelPlace::Side::kOnLine, .eighth = 4}};
   Landed landed;
   auto found = placeLabel(request, landed, kViewport);
   REQUIRE(found);
@@ -106,7 +106,7 @@ TEST_CASE("a label stays where it was, or as near by as it can, though places be
   CHECK(found->place.eighth == 8);
   request.last->mayLeave = true;
   CHECK(placeLabel(request, landed, kViewport)->place.eighth == -4);
-  request.last = LastLabelPlace{.place = {.side = LabelPlace::Side::kInward}};
+  request.last = LastLabelPlace{.place = LabelPlace{.side = LabelPlace::Side::kInward}};
   CHECK(placeLabel(request, Landed{}, kViewport)->place == request.last->place);
 }
 
@@ -117,7 +117,7 @@ TEST_CASE("a label that was over extension lines stays there as it was") {
   landed.add(line, -1);
   LabelRequest request{.line = {{100, 500}, {300, 500}}, .textSize = kText};
   CHECK(placeLabel(request, landed, kViewport)->place.eighth != 0);
-  request.last = LastLabelPlace{.place = {.overExtensions = true}};
+  request.last = LastLabelPlace{.place = LabelPlace{.overExtensions = true}};
   CHECK(placeLabel(request, landed, kViewport)->place == request.last->place);
 }
 
@@ -168,6 +168,24 @@ TEST_CASE("where labels were is remembered for chains that have other numbers no
   CHECK(memory.last(lines[2].identity, 0, true));
   lines[0].identity.chain = 5;
   CHECK(memory.last(lines[0].identity, 0, true));
+}
+
+TEST_CASE("that a line had no label is remembered like a label's place") {
+  PlacedLine line;
+  line.identity = {.parameter = 3, .plane = 1};
+  LabelMemory memory;
+  memory.note(std::span(&line, 1), true);
+  REQUIRE(memory.last(line.identity, 0, true));
+  CHECK_FALSE(memory.last(line.identity, 0, true)->place);
+  for (int frame = 0; frame < kReturnFrames; ++frame) {
+    CHECK_FALSE(memory.last(line.identity, 0, true)->mayLeave);
+    memory.note(std::span(&line, 1), true);
+  }
+  CHECK(memory.last(line.identity, 0, true)->mayLeave);
+  line.label = Box2{{0, 0}, {10, 10}};
+  memory.note(std::span(&line, 1), true);
+  CHECK(memory.last(line.identity, 0, true)->place == LabelPlace{});
+  CHECK_FALSE(memory.last(line.identity, 0, true)->mayLeave);
 }
 
 TEST_CASE("a label keeps clear of its chain's other lines and their labels, and finds another place for that") {

@@ -183,7 +183,7 @@ TEST_CASE("a label keeps off what is ahead where it can, but for where it was") 
   REQUIRE(found);
   CHECK(found->place.side == LabelPlace::Side::kOnLine);
   CHECK(found->place.eighth == -4);
-  request.last = LastLabelPlace{};
+  request.last = LastLabelPlace{.place = LabelPlace{}};
   CHECK(placeLabel(request, Landed{}, viewport)->place == LabelPlace{});
   // It may leave, for a place that is better for what is ahead as well.
   request.last->mayLeave = true;
@@ -196,4 +196,19 @@ TEST_CASE("a label keeps off what is ahead where it can, but for where it was") 
   landed.addLabel({{100, 299}, {140, 301}});
   landed.addLabel({{460, 299}, {520, 301}});
   CHECK(placeLabel(request, landed, viewport)->place == LabelPlace{});
+  // Unless others say the same: then it is left out, and for a while, wherever there is room again.
+  request.orNone = true;
+  CHECK_FALSE(placeLabel(request, landed, viewport));
+  request.last = LastLabelPlace{.place = std::nullopt};
+  CHECK_FALSE(placeLabel(request, Landed{}, viewport));
+  request.last->mayLeave = true;
+  CHECK(placeLabel(request, Landed{}, viewport)->place == found->place);
+  request.last = LastLabelPlace{.place = LabelPlace{}};
+  CHECK(placeLabel(request, landed, viewport)->place == LabelPlace{});   // where it was shown it stays
+  request.last->mayLeave = true;
+  CHECK_FALSE(placeLabel(request, landed, viewport));
+  // One that must be shown is shown at once.
+  request.orNone = false;
+  request.last = LastLabelPlace{.place = std::nullopt};
+  CHECK(placeLabel(request, Landed{}, viewport)->place == found->place);
 }
