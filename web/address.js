@@ -5,6 +5,7 @@
  */
 
 const kModelKey = "model";
+const kMostProblems = 5; // then an address is not one of ours, and nobody reads on
 const kDigits = 10; // of a number: more than anybody sets, and fewer than arithmetic leaves
 
 /** The name of the model that an address asks for, or null. */
@@ -42,6 +43,7 @@ export function valuesOf(url, parameters) {
   const values = {};
   const problems = [];
   for (const [name, text] of new URLSearchParams(new URL(url).hash.slice(1))) {
+    if (problems.length === kMostProblems) break;
     const parameter = parameters.find((p) => p.name === name);
     const value = parameter && valueOf(parameter, text);
     if (!parameter) problems.push(`The address asks for “${name}”, which this model does not have.`);
@@ -52,7 +54,7 @@ export function valuesOf(url, parameters) {
 }
 
 function valueOf({ type, choices }, text) {
-  if (type === "bool") return { true: true, false: false }[text];
+  if (type === "bool") return text === "true" || (text === "false" ? false : undefined);
   if (type === "choice") return choices.includes(text) ? text : undefined;
   const number = text.trim() === "" ? Number.NaN : Number(text);
   return Number.isFinite(number) ? number : undefined;

@@ -32,7 +32,7 @@ test("a number is written as people write it, not as arithmetic left it", () => 
 });
 
 test("what cannot be had is left out, and said", () => {
-  const { values, problems } = valuesOf(`${kPage}#Width=wide&Pitch=&Attic=maybe&Roof=dome&Moat=3&Width=10`, parameters);
+  const { values, problems } = valuesOf(`${kPage}#Width=10&Width=wide&Pitch=&Attic=maybe&Roof=dome&Moat=3`, parameters);
   assert.deepEqual(values, { Width: 10 });
   assert.deepEqual(problems, [
     "The address asks for Width to be “wide”, but it is a number.",
@@ -41,5 +41,6 @@ test("what cannot be had is left out, and said", () => {
     "The address asks for Roof to be “dome”, but it is one of gable, half hip.",
     "The address asks for “Moat”, which this model does not have.",
   ]);
-  assert.deepEqual(valuesOf(`${kPage}#Width=Infinity&Pitch=1e999`, parameters).values, {});
+  assert.deepEqual(valuesOf(`${kPage}#Width=Infinity&Pitch=1e999&Attic=constructor`, parameters).values, {});
+  assert.equal(valuesOf(`${kPage}#${Array.from({ length: 1000 }, (_, i) => `Moat${i}=1`).join("&")}`, parameters).problems.length, 5);
 });
