@@ -1,6 +1,6 @@
 /**
  * What the page's address says: which model is shown, and after a # the values that are not its defaults, as in
- * ?model=boat#Length=24.5&Rig=schooner. So a reload, a bookmark, the browser's way back and a link that is sent to somebody
+ * ?model=house#Width=9.7&RoofType=hip. So a reload, a bookmark, the browser's way back and a link that is sent to somebody
  * all lead to what was there to be seen.
  */
 

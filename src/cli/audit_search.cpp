@@ -46,8 +46,6 @@ double angleToViewRad(const View& view, const Segment& s) {
 
 Segment moved(const Segment& s, const Vec3& by) { return {s.start + by, s.end + by}; }
 
-bool isLinear(HandleType type) { return type == HandleType::kLinearContour || type == HandleType::kLinearCenter; }
-
 /// The directions in which a base line may slip: along the scope's two other axes where their plane is not seen
 /// edge-on, or at right angles to the view. The scope planes of the types that turn with the view are not judged.
 std::vector<Vec3> slipDirections(const Annotation& annotation, const Obb& scope, const Segment& base,

@@ -431,6 +431,8 @@ bool isLine(HandleType type) {
   return type != HandleType::kAngular && type != HandleType::kBoolean && type != HandleType::kRange;
 }
 
+bool isLinear(HandleType type) { return type == HandleType::kLinearContour || type == HandleType::kLinearCenter; }
+
 AxisSense axisOf(Orient orient) {
   switch (orient) {
     case Orient::kUp:

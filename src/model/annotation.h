@@ -71,6 +71,8 @@ std::string_view name(Align align);
 
 /// Whether the handle is a dimension line (the six types of paper figure 5) rather than an arc, a switch or a range.
 bool isLine(HandleType type);
+/// Whether it is a dimension line along an axis of its scope rather than across a circle or a ball.
+bool isLinear(HandleType type);
 
 /// The scope axis (0 x, 1 y, 2 z) an orientation names and the sense along it; horizontal and vertical give no axis (-1).
 struct AxisSense {

@@ -26,10 +26,9 @@ bool moveTo(Candidate& candidate, const Segment& line, const View& view) {
 
 /// No base line of a scope looks longer than this: of many small things it tells at once that they have none.
 double mostLengthPx(const Annotation& annotation, const Obb& scope, const View& view) {
-  const bool linear = annotation.type == HandleType::kLinearContour || annotation.type == HandleType::kLinearCenter;
   const AxisSense along = axisOf(annotation.orient);
   const double diagonalM = glm::length(scope.size);
-  const double mostM = linear && along.axis >= 0 ? scope.size[along.axis] : diagonalM;
+  const double mostM = isLinear(annotation.type) && along.axis >= 0 ? scope.size[along.axis] : diagonalM;
   return mostM * view.mostPixelsPerMetre(scope.at(Vec3(0.5) + annotation.translate), 0.5 * diagonalM);
 }
 

@@ -63,7 +63,7 @@ void measure(Cluster& cluster) {
 std::vector<Cluster> clusterBaseLines(const Annotation& annotation, std::span<const Scope> scopes,
                                       std::span<const std::size_t> measuredScopes, double modelSizeM) {
   std::vector<Cluster> clusters;
-  if (annotation.type != HandleType::kLinearContour && annotation.type != HandleType::kLinearCenter) return clusters;
+  if (!isLinear(annotation.type)) return clusters;
   const View anyView;   // the linear types do not look at it
   for (const std::size_t scope : measuredScopes) {
     for (const BaseLine& line : baseLines(annotation, scopes[scope].box, anyView)) {

@@ -39,6 +39,13 @@ class Landed {
   };
   [[nodiscard]] Mark mark() const { return {lines_.size(), extensions_.size(), labels_.size()}; }
   void backTo(const Mark& mark);
+  /// A part of an extension line, and the parameter whose line it belongs to; -1 with a line that was added without.
+  struct Extension {
+    Segment2 segment;
+    int parameter = -1;
+  };
+  /// What of extension lines has landed since. Neighbours in a chain share one, which landed with the first.
+  [[nodiscard]] std::span<const Extension> extensionsSince(const Mark& mark) const { return std::span(extensions_).subspan(mark.extensions); }
 
   /// What a line, or one of its extension lines from the base line by way of its foot on the plane, runs across of what has landed.
   struct Crossings {
@@ -84,10 +91,6 @@ class Landed {
     Segment2 segment;
     int guide = -1;
     Vec2 away{0.0};   ///< px, from the middle of its base line to its own
-    int parameter = -1;
-  };
-  struct Extension {
-    Segment2 segment;
     int parameter = -1;
   };
   std::vector<Line> lines_;

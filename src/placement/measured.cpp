@@ -27,7 +27,7 @@ std::vector<Measured> measure(const Model& model, std::span<const Scope> scopes,
 std::vector<Segment> fixedBaseLines(std::span<const Measured> measured, std::span<const Scope> scopes) {
   std::vector<Segment> all;
   for (const Measured& m : measured) {
-    if (m.annotation.type != HandleType::kLinearContour && m.annotation.type != HandleType::kLinearCenter) continue;
+    if (!isLinear(m.annotation.type)) continue;
     for (const std::size_t scope : m.scopes) {
       for (const Segment& segment : baseSegments(m.annotation, scopes[scope].box, View())) all.push_back(segment);
     }

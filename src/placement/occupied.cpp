@@ -13,17 +13,10 @@ void Occupied::clear() {
 }
 
 void Occupied::add(const PlacedLine& line, int guide) {
-  if (guide < 0) {
-    landed_.add(line, guide);
-    return;
-  }
-  for (const auto* extension : {&line.extensionStart, &line.extensionEnd}) {
-    for (std::size_t i = 1; i < extension->size(); ++i) {
-      const Segment2 part{(*extension)[i - 1], (*extension)[i]};
-      if (!landed_.hasExtension(part, static_cast<int>(line.parameter))) pullIn(padded_, part, kExtensionClearancePx);
-    }
-  }
+  const Landed::Mark before = landed_.mark();
   landed_.add(line, guide);
+  if (guide < 0) return;
+  for (const Landed::Extension& landed : landed_.extensionsSince(before)) pullIn(padded_, landed.segment, kExtensionClearancePx);
   Guide& carrier = guides_[static_cast<std::size_t>(guide)];
   const auto [from, to] = std::minmax({carrier.metresAt(line.line.start), carrier.metresAt(line.line.end)});
   carrier.taken.add(from, to);
