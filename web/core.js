@@ -128,11 +128,12 @@ export class Core {
 
   /** One undo step for all values together. */
   setParameters(values) {
-    if (values === null || typeof values !== "object" || Array.isArray(values)) {
-      throw new Error('Parameters are set by an object of names and values, as in {"Width": 9}.');
-    }
-    for (const [name, value] of Object.entries(values)) checkValue(name, value);
-    check(this.#editor.setParametersJson(JSON.stringify(values)));
+    check(this.#editor.setParametersJson(jsonOf(values)));
+  }
+
+  /** The document begins anew, with these values in place of its defaults: its camera too, and there is nothing to undo. */
+  beginWith(values) {
+    check(this.#editor.beginWithJson(jsonOf(values)));
   }
 
   /** As setParameters for one value in motion: repeated calls are one undo step until endContinuous(). */
@@ -386,6 +387,14 @@ export class Core {
 
 function check(sentence) {
   if (sentence) throw new Error(sentence);
+}
+
+function jsonOf(values) {
+  if (values === null || typeof values !== "object" || Array.isArray(values)) {
+    throw new Error('Parameters are set by an object of names and values, as in {"Width": 9}.');
+  }
+  for (const [name, value] of Object.entries(values)) checkValue(name, value);
+  return JSON.stringify(values);
 }
 
 // JSON has no NaN and no undefined: they are caught here, where the name is known.

@@ -37,6 +37,7 @@ function makeContextBefore(coming, canvas) {
  *
  * Attributes, each with a property of the same meaning:
  * - `model`: the name of a built-in model, or the URL of a .gltf or .glb
+ * - `initial-values` (`initialValues`): what each model begins with where that is not its defaults, as in '{"Width": 9}'
  * - `lang`: the language in whose manner numbers are written, as in "9,40 m"; the visitor's own by default
  * - `core-url` (`coreUrl`): where dimline.js lies, when not in build/ beside this file; read when the element enters a document
  *
@@ -55,6 +56,7 @@ export class DimlineEditor extends Base {
   #listening = null; // AbortController: everything that must end with the element
   #loading = null; // AbortController of the model under way
   #hasModel = false;
+  #initialValues = null; // as the property was given
   #input = null;
   #overlay = null;
   #peeking = false; // the key that shows hidden lines is down
@@ -90,6 +92,22 @@ export class DimlineEditor extends Base {
   }
   set model(name) {
     this.setAttribute("model", String(name));
+  }
+
+  /**
+   * What a model begins with when it is loaded, in place of its defaults: saved values, say. An object of names and values, a function that makes
+   * one of the new model's getParameters(), or null. Where a value cannot be had, the model is shown with its defaults, and an `error` event says why.
+   */
+  get initialValues() {
+    if (this.#initialValues !== null) return this.#initialValues;
+    try {
+      return JSON.parse(this.getAttribute("initial-values") ?? "null");
+    } catch (cause) {
+      throw new Error(`The attribute initial-values is not JSON, as in '{"Width": 9}': ${cause.message}.`, { cause });
+    }
+  }
+  set initialValues(values) {
+    this.#initialValues = values ?? null;
   }
 
   get coreUrl() {
@@ -424,6 +442,7 @@ export class DimlineEditor extends Base {
       this.#overlay.clear();
       this.#parts.message.hide();
       this.#requestFrame();
+      this.#begin();
     } catch (error) {
       if (signal.aborted) return;
       if (error instanceof WebAssembly.RuntimeError) return this.#fail(error);
@@ -432,6 +451,13 @@ export class DimlineEditor extends Base {
         new ErrorEvent("error", { error, message: error.message, bubbles: true, composed: true, cancelable: true }),
       );
     }
+  }
+
+  // Before the first frame, so that nothing else is seen.
+  #begin() {
+    const first = this.initialValues;
+    const values = typeof first === "function" ? first(this.#core.parameters()) : first;
+    if (values && Object.keys(values).length > 0) this.#core.beginWith(values);
   }
 
   #watchMotion(signal) {

@@ -126,13 +126,17 @@ function remember() {
 }
 
 // A model that was chosen in the page begins with its defaults; one that the address brings, with what that says.
-function recall() {
-  if (modelOfAddress() !== editor.model) return;
-  const parameters = editor.getParameters();
+function addressedValues(parameters) {
+  if (modelOfAddress() !== editor.model) return {};
   const { values, problems } = valuesOf(location.href, parameters);
-  const all = { ...panel.defaults(parameters), ...values };
-  if (Object.keys(all).length > 0) attempt(() => editor.setParameters(all));
   if (problems.length > 0) say(problems.join(" "));
+  return values;
+}
+editor.initialValues = addressedValues;
+
+function recall() {
+  const parameters = editor.getParameters();
+  attempt(() => editor.setParameters({ ...panel.defaults(parameters), ...addressedValues(parameters) }));
 }
 
 // The editor itself tells why it cannot go on; the page tells why a document could not be loaded while another is shown.
@@ -148,7 +152,6 @@ function showFailure(error) {
   else if (!editor.error) say(error.message);
 }
 
-editor.addEventListener("load", recall);
 // The first picture does not wait for the panel beside it, which takes a while to build: it is painted first.
 editor.addEventListener("load", () => requestAnimationFrame(() => setTimeout(showDocument)), { once: true });
 editor.addEventListener("load", () => {

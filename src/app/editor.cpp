@@ -50,23 +50,38 @@ Status Editor::setModel(Model model) {
     return Error{"This model has no rule that builds it, or was not made by makeModel()."};
   }
   s.dropGestures();
-  s.continuing.reset();
-  s.history.clear();
-  s.places.clear();
-  s.beforeHidden = {};
   s.takeModel(std::move(model));
-  s.values = Values(s.model.parameters());
   s.loaded = true;
-  s.placer.forget();
   s.fieldSource.forgetTimes();
   s.visibilitySource.forgetTimes();
-  s.clearLines();
-  s.hovered.reset();
-  s.hoveredBefore.reset();
-  s.rebuild();
-  s.openingCamera();
+  s.begin(Values(s.model.parameters()));
   s.notify(EditorEvent::kLoad);
   return okStatus();
+}
+
+void Editor::beginWith(std::span<const std::pair<std::size_t, double>> changes) {
+  State& s = *state_;
+  if (!s.loaded) return;
+  s.dropGestures();
+  s.begin(s.changed(Values(s.model.parameters()), changes));
+  if (std::ranges::find(s.events, EditorEvent::kLoad) != s.events.end()) return;
+  s.notify(EditorEvent::kInput);
+  s.notify(EditorEvent::kChange);
+}
+
+/// The document has these values, and nothing has been before.
+void Editor::State::begin(const Values& first) {
+  continuing.reset();
+  history.clear();
+  places.clear();
+  beforeHidden = {};
+  values = first;
+  placer.forget();
+  clearLines();
+  hovered.reset();
+  hoveredBefore.reset();
+  rebuild();
+  openingCamera();
 }
 
 const Model& Editor::model() const { return state_->model; }
@@ -81,14 +96,19 @@ void Editor::State::takeModel(Model next) {
   modelWithMeasures = withMeasures(model);
 }
 
+/// Values with some of them changed, each within its range.
+Values Editor::State::changed(Values from, std::span<const std::pair<std::size_t, double>> changes) const {
+  for (const auto& [parameter, value] : changes) {
+    assert(parameter < from.size());
+    from.set(parameter, clampValue(model.parameters()[parameter], value));
+  }
+  return from;
+}
+
 void Editor::setValues(std::span<const std::pair<std::size_t, double>> changes) {
   State& s = *state_;
   s.finishEdits();
-  Values next = s.values;
-  for (const auto& [parameter, value] : changes) {
-    assert(parameter < next.size());
-    next.set(parameter, clampValue(s.model.parameters()[parameter], value));
-  }
+  const Values next = s.changed(s.values, changes);
   if (next == s.values) return;
   s.rememberPlaces();
   s.history.record(s.values);

@@ -57,6 +57,9 @@ class Editor {
   // --- Document ---
   /// Replaces the document. Camera and undo history start anew; lines appear without animation. On an error the document stays as it was.
   Status setModel(Model model);
+  /// The document begins anew, with these values in place of its defaults (saved ones, say): as after setModel(), but it tells of kInput and kChange, unless
+  /// the model's kLoad is still to be taken. Clamps to the range; unknown index is an assert.
+  void beginWith(std::span<const std::pair<std::size_t, double>> changes);
   [[nodiscard]] const Model& model() const;
   [[nodiscard]] const Values& values() const;
   [[nodiscard]] const Scene& scene() const;

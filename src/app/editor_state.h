@@ -133,6 +133,8 @@ struct Editor::State {
   [[nodiscard]] bool hasSize() const { return widthPx >= 1 && heightPx >= 1; }
   [[nodiscard]] View currentView() const { return {camera, widthPx, heightPx, scene.bounds}; }
   void notify(EditorEvent event);
+  void begin(const Values& first);
+  [[nodiscard]] Values changed(Values from, std::span<const std::pair<std::size_t, double>> changes) const;
   bool assign(const Values& next);
   void step(const std::optional<Values>& to);
   [[nodiscard]] PlaceMemory::Picture picture() const;

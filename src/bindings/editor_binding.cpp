@@ -98,6 +98,13 @@ public:
     return {};
   }
 
+  std::string beginWithJson(const std::string& text) {
+    const auto changes = readValues(editor_.model().parameters(), text);
+    if (!changes) return changes.error().message;
+    editor_.beginWith(*changes);
+    return {};
+  }
+
   std::string setParameterContinuous(const std::string& name, const std::string& text) {
     const auto parameters = editor_.model().parameters();
     const auto index = findParameter(parameters, name);
@@ -316,6 +323,7 @@ EMSCRIPTEN_BINDINGS(dimline) {
       .function("setScene", &EditorBinding::setScene)
       .function("parametersJson", &EditorBinding::parametersJson)
       .function("setParametersJson", &EditorBinding::setParametersJson)
+      .function("beginWithJson", &EditorBinding::beginWithJson)
       .function("setParameterContinuous", &EditorBinding::setParameterContinuous)
       .function("endContinuous", &EditorBinding::endContinuous)
       .function("parseValueJson", &EditorBinding::parseValueJson)

@@ -121,6 +121,9 @@ inline constexpr double kScoreAmissInside = -22.0 * kHandleSpacingPx;
 /// which the faces beside it are turned away) for a line that is there already: fewer changes at the edge of sight, and a line that is seen through the model for a little longer.
 inline constexpr double kScoreBehindScope = -25.0 * kHandleSpacingPx;
 inline constexpr double kBehindScopeSin = 0.15;
+/// What it costs a line inside to measure a scope of which nothing is seen, and in proportion one that is hidden in part: the line is faint where the model is before it. More: in a row of windows the line
+/// goes from one to the next as they come into view.
+inline constexpr double kScoreHiddenScope = -10.0 * kHandleSpacingPx;
 /// Attempts at a moved frame, each about as long as placing it. More find more and cost more.
 inline constexpr int kMendingAttempts = 2;
 /// How often a first picture is placed, the second time with a view to what was placed in the first. More: fewer lines across others' extension lines, and fewer of those through numbers; it takes longer.

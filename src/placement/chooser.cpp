@@ -152,6 +152,7 @@ bool Chooser::chooseInside(const CandidateContext& candidates, const ChoiceConte
   for (Candidate& c : candidates_) {
     const Landed::Crossings across = landed.crossings(c.baseScreen, c.baseScreen, c.lineScreen);
     c.score += (across.extensions ? kScoreAmissInside : 0.0) + (across.labels ? kScoreAmissInside : 0.0);
+    c.score += kScoreHiddenScope * (1 - context.sights[c.scope].share());
     if (context.lookAhead.runsIntoInside(c.lineScreen)) c.score += kScoreAmissInside;
   }
   // Who comes anew would have to wait with a base line that the picture's rim cuts off (Placer): a whole one comes first, where there is any.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "placement/label_text.h"
 #include "placement/on_screen.h"
@@ -13,19 +14,22 @@ namespace dimline {
 
 namespace {
 
-/// How far beyond the least shift a pill looks for room, and in how many rings of its height around its anchor when it stays inside. Fewer: it is hidden as
-/// crowded where a person would see a place. More: it stands too far from what it belongs to.
+/// In how many directions on screen a pill is moved out of the silhouette, and how far beyond the least shift it looks for room; and when it stays inside, in how many rings around its anchor, how far apart, and in how many directions. Fewer: it is
+/// hidden as crowded where a person would see a place. Further: it stands too far from what it belongs to.
+constexpr int kPillWays = 8;
 constexpr double kPillStepPx = 8.0;
 constexpr int kPillSteps = 25;
-constexpr int kPillRings = 9;
+constexpr int kPillRings = 19;
+constexpr double kPillRingPx = 0.5 * kPillHeightPx;
+constexpr int kPillRingPlaces = 16;
 
 /// px. How far a pill goes on at least where it looks for the least shift, towards the viewport's edge and along it. More: it may stand as much further out than it must.
 constexpr double kLeastShiftStepPx = 0.25;
 constexpr double kSidewaysStepPx = 4.0;
 
-/// The eight directions on screen in which a pill may move, by number: 0 is right, then clockwise on screen in steps of 45 degrees.
-Vec2 compass(int number) {
-  const double rad = number * 45.0 * kRadPerDeg;
+/// A direction on screen: 0 is right, then clockwise in so many equal steps.
+Vec2 compass(int number, int steps = kPillWays) {
+  const double rad = 2 * std::numbers::pi * number / steps;
   return {std::cos(rad), std::sin(rad)};
 }
 
@@ -110,8 +114,8 @@ std::optional<Box2> roomTowards(const Box2& from, const Vec2& direction, const O
 /// The box, or the nearest place on rings around it, that is in the viewport and that all that has landed leaves free.
 std::optional<Box2> roomAround(const Box2& box, const OtherHandleContext& context) {
   for (int ring = 0; ring < kPillRings; ++ring) {
-    for (int number = 0; number < (ring == 0 ? 1 : 8); ++number) {
-      const Box2 place = shifted(box, compass(number) * (ring * kPillHeightPx));
+    for (int number = 0; number < (ring == 0 ? 1 : kPillRingPlaces); ++number) {
+      const Box2 place = shifted(box, compass(number, kPillRingPlaces) * (ring * kPillRingPx));
       if (onScreen(place, context.view) && context.landed.hasRoom(place)) return place;
     }
   }
@@ -210,7 +214,7 @@ std::optional<HiddenReason> placePill(const OtherHandle& handle, const OtherHand
   std::optional<PillPlace> outside;
   forEachAnchor([&](std::size_t scope, const Vec2& anchor, const Box2& atAnchor) {
     if (handle.annotation.slip == Slip::kNone) return;
-    for (int way = 0; way < 8; ++way) {
+    for (int way = 0; way < kPillWays; ++way) {
       const auto box = roomTowards(atAnchor, compass(way), context);
       if (!box) continue;
       PillPlace place{scope, anchor, *box, identityOf(handle, context.scopes[scope], way)};

@@ -406,7 +406,7 @@ bool Placer::State::placeAll(const FrameToPlace& frame, std::size_t crowded, Lay
     } else {
       const Identity* avoid = avoided && avoided->rank == rank ? &avoided->place : nullptr;
       const bool runsInto = placeLines(rank,
-                                       {view, fields, occupied, past.lookAhead, past.labels, object, foresight, scopes, usableScopes(measured), object.toleranceM, viewMoved,
+                                       {view, fields, occupied, past.lookAhead, past.labels, object, foresight, scopes, usableScopes(measured), past.sights, object.toleranceM, viewMoved,
                                         firm, avoid, asksForRoom, showHidden},
                                        values.at(measured.parameter), layout);
       // A measure takes no place from what can be edited.

@@ -8,6 +8,7 @@
 #include "placement/look_ahead.h"
 #include "placement/measured.h"
 #include "placement/occupied.h"
+#include "placement/visibility.h"
 
 namespace dimline {
 
@@ -22,6 +23,7 @@ struct ChoiceContext {
   Foresight& foresight;
   std::span<const Scope> scopes;
   std::span<const char> usable;             ///< one a scope: whether it may carry a line in this frame
+  std::span<const Sight> sights;            ///< one a scope: how much of it is seen
   double toleranceM = 0;                    ///< kSamePlaneDistance of the model's size
   bool viewMoved = false;                   ///< since the last frame
   bool firm = false;                        ///< the last frame's place is kept wherever it still is one

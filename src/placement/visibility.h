@@ -17,6 +17,8 @@ class Sight {
   void age(int frames);
   /// Takes the share of the scope that is seen in this frame, 0 to 1, and says whether it counts as seen.
   bool see(double share);
+  /// The share of it that was seen in the last frame.
+  [[nodiscard]] double share() const { return share_; }
   /// Whether enough of it was seen in the last frame, so that it may be shown anew; what only stays in sight may not.
   [[nodiscard]] bool plain() const { return framesTooLittle_ == 0; }
 

@@ -59,6 +59,38 @@ TEST_CASE("another model starts with its own values, camera and history") {
   REQUIRE(stage.editor.fadingLines().empty());
 }
 
+TEST_CASE("a document can begin with other values than its defaults, and its view is that of those") {
+  EditorStage stage;
+  const std::pair<std::size_t, double> saved[] = {{stage.indexOf("Width"), 9}, {stage.indexOf("Height"), 1e9}};
+  const Camera ofDefaults = stage.editor.camera();
+
+  REQUIRE(stage.editor.setModel(makeModel(boxWithDoor()).value()));
+  stage.editor.beginWith(saved);
+  REQUIRE(stage.editor.takeEvents() == Events{EditorEvent::kCameraChange, EditorEvent::kLoad, EditorEvent::kCameraChange});
+  REQUIRE(stage.value("Width") == 9);
+  REQUIRE(stage.value("Height") == stage.editor.model().parameters()[stage.indexOf("Height")].max);
+  REQUIRE_FALSE(stage.editor.canUndo());
+  stage.frame();
+  REQUIRE(stage.editor.atRest());
+  REQUIRE(stage.line("Width")->text == "9.00 m");
+  for (const auto& state : stage.editor.lineStates()) REQUIRE(state.opacity == 1);
+  REQUIRE(glm::length(stage.editor.camera().eye - ofDefaults.eye) > 1);
+
+  // Later it is a change like any other, but with nothing before it.
+  stage.set("Width", 7);
+  stage.settle();
+  stage.editor.takeEvents();
+  stage.editor.beginWith(std::span(saved).first(1));
+  REQUIRE(stage.editor.takeEvents() == Events{EditorEvent::kCameraChange, EditorEvent::kInput, EditorEvent::kChange});
+  REQUIRE(stage.value("Width") == 9);
+  REQUIRE(stage.value("Height") == 5);
+  REQUIRE_FALSE(stage.editor.canUndo());
+
+  Editor empty;
+  empty.beginWith({});
+  REQUIRE(empty.takeEvents().empty());
+}
+
 TEST_CASE("values are set together, as one undo step, and the model follows") {
   EditorStage stage;
   const std::pair<std::size_t, double> changes[] = {{stage.indexOf("Width"), 9}, {stage.indexOf("Height"), 4}};

@@ -318,6 +318,42 @@ test("a model that there is not: an error event, and the document stays", async 
   );
 });
 
+test("initial-values: what a model begins with, by attribute or by property", async () => {
+  const begun = await page.evaluate(async () => {
+    const kinds = [
+      (editor) => editor.setAttribute("initial-values", '{"Width": 9.7, "RoofType": "hip"}'),
+      (editor) => (editor.initialValues = { Width: 10.4 }),
+      (editor) => (editor.initialValues = (parameters) => ({ Width: parameters.find((p) => p.name === "Width").max })),
+      (editor) => editor.setAttribute("initial-values", "Width=9"),
+      (editor) => editor.setAttribute("initial-values", '{"Moat": 3}'),
+    ];
+    const results = [];
+    for (const give of kinds) {
+      const editor = document.createElement("dimline-editor");
+      editor.model = "house";
+      editor.style.cssText = "position: fixed; inset: 0 auto auto 0; width: 400px; height: 300px";
+      give(editor);
+      let problem = "";
+      let atLoad = null;
+      editor.addEventListener("error", (event) => ((problem = event.message), event.stopPropagation()));
+      editor.addEventListener("load", () => (atLoad = editor.getParameters().find((p) => p.name === "Width").value));
+      document.body.append(editor);
+      await editor.ready;
+      const { value, max, default: byDefault } = editor.getParameters().find((p) => p.name === "Width");
+      results.push({ value, max, byDefault, atLoad, problem, canUndo: editor.canUndo });
+      editor.remove();
+    }
+    return results;
+  });
+  const [attribute, object, made, noJson, unknown] = begun;
+  assert.deepEqual([attribute.value, attribute.atLoad, attribute.canUndo, attribute.problem], [9.7, 9.7, false, ""]);
+  assert.deepEqual([object.value, object.atLoad], [10.4, 10.4]);
+  assert.equal(made.value, made.max);
+  for (const wrong of [noJson, unknown]) assert.equal(wrong.value, wrong.byDefault);
+  assert.match(noJson.problem, /initial-values.*JSON/);
+  assert.match(unknown.problem, /Moat/);
+});
+
 test("nothing of all this made the page complain", () => {
   assert.deepEqual(tab.complaints, []);
 });

@@ -139,6 +139,26 @@ TEST_CASE("inside the model, lines lie on edges that are seen rather than behind
   }
 }
 
+TEST_CASE("inside the model, a line of a row lies where more of what it measures is seen, and stays there") {
+  ModelDefinition definition = wallWithMast();
+  definition.build = [](const Values&) {
+    return sceneOf({{"Wall", boxAt({-20, -10, -1}, {40, 20, 1})}, {"Plate", boxAt({-1.5, 0, 0}, {1, 0.2, 0.1})}, {"Plate", boxAt({0.5, 0, 0}, {1, 0.2, 0.1})}});
+  };
+  for (const std::size_t plain : {1, 2}) {
+    Stage stage(definition);
+    ScopeVisibility visibility{{1, 0.4F, 0.4F}};
+    visibility.seenShare[plain] = 0.9F;
+    stage.look(straightAt(0, kSeenM), 1000, 1000, &visibility);
+    REQUIRE(stage.find("Width") != nullptr);
+    CHECK(stage.find("Width")->scope == plain);
+    // A little more of the other is no reason to leave.
+    std::swap(visibility.seenShare[1], visibility.seenShare[2]);
+    stage.look(straightAt(0.01, kSeenM), 1000, 1000, &visibility);
+    REQUIRE(stage.find("Width") != nullptr);
+    CHECK(stage.find("Width")->scope == plain);
+  }
+}
+
 TEST_CASE("while the camera comes nearer, no line comes out of the model for a few frames") {
   Stage stage(boxWithDoor());
   int inside = 0;

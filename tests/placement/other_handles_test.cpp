@@ -162,6 +162,27 @@ TEST_CASE("pills keep clear of what has landed") {
   CHECK_FALSE(second.box.grown(kLabelClearancePx - 0.01).overlaps(first.box));
 }
 
+TEST_CASE("inside the model a pill finds the one place near its anchor that is left free") {
+  for (const double turnDeg : {22.5, 157.5, 270.0}) {
+    AtticSwitch attic;
+    REQUIRE_FALSE(attic.place(attic.inside, true));
+    const double rad = turnDeg * kRadPerDeg;
+    const Vec2 by = Vec2(std::cos(rad), std::sin(rad)) * 5.0 * kPillHeightPx;
+    const Box2 free = Box2{attic.placed.box.min + by, attic.placed.box.max + by}.grown(kLabelClearancePx + 0.5);
+    // Labels all around it.
+    const double side = 1000;
+    for (const Box2& label : {Box2{{0, 0}, {side, free.min.y}}, Box2{{0, free.max.y}, {side, side}}, Box2{{0, free.min.y}, {free.min.x, free.max.y}},
+                              Box2{{free.max.x, free.min.y}, {side, free.max.y}}}) {
+      attic.stage.landed.addLabel(label);
+    }
+    AtticSwitch other;
+    other.stage.landed = attic.stage.landed;
+    INFO(turnDeg);
+    REQUIRE_FALSE(other.place(other.inside, true));
+    CHECK(glm::length(other.placed.box.min - attic.placed.box.min - by) < 1e-6);
+  }
+}
+
 TEST_CASE("a pill that had no room or was inside waits until a better kind of place has been there for a while") {
   AtticSwitch attic;
   attic.history.choseNone(true);
