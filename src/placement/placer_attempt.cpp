@@ -1,0 +1,306 @@
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "placement/arcs.h"
+#include "placement/labels.h"
+#include "placement/on_screen.h"
+#include "placement/pills.h"
+#include "placement/placer_state.h"
+
+// Algorithm 1 of the paper, one parameter after the other: what is there is measured (measured.h), a place is chosen (chooser.h) against all that has
+// landed before (occupied.h), and is written into the layout.
+
+namespace dimline {
+
+namespace {
+
+HiddenReason reasonFor(const BaseLineTally& tally, bool anyScope) {
+  if (!anyScope) return HiddenReason::kNoScope;
+  if (tally.occluded > 0) return HiddenReason::kOccluded;
+  if (tally.foreshortened > 0) return HiddenReason::kForeshortened;
+  if (tally.tooShort > 0) return HiddenReason::kTooShort;
+  return HiddenReason::kOutOfView;
+}
+
+/// From the base line's end to the final line's, bent at the plane where the base line does not lie in it (paper 5, "Extension Lines").
+void writeExtension(const Vec2& base, const Vec2& foot, const Vec2& end, std::vector<Vec2>& polyline) {
+  polyline.clear();
+  polyline.reserve(3);   // of a line that is not bent as well: the next to use this memory may be
+  polyline.push_back(base);
+  if (foot != base) polyline.push_back(foot);
+  polyline.push_back(end);
+}
+
+/// Moves an extension line that would lie on a dimension line a little towards the middle of its own line (paper 5, "Extension Lines").
+void moveAside(std::vector<Vec2>& extension, const Vec2& towardsMiddle, const Landed& landed) {
+  bool onLine = false;
+  for (std::size_t i = 1; i < extension.size(); ++i) onLine = onLine || landed.liesOnLine({extension[i - 1], extension[i]});
+  const double length = glm::length(towardsMiddle);
+  if (!onLine || length < 4 * kExtensionAsidePx) return;
+  for (Vec2& p : extension) p += towardsMiddle * (kExtensionAsidePx / length);
+}
+
+/// Takes one out of the spare ones, with the memory that it holds, or makes one.
+template <typename Thing>
+Thing& append(std::vector<Thing>& to, std::vector<Thing>& spare) {
+  if (spare.empty()) return to.emplace_back();
+  to.push_back(std::move(spare.back()));
+  spare.pop_back();
+  return to.back();
+}
+
+/// The same for a parameter's handle: its own of an earlier frame if there is one, which has room for its choices.
+PlacedHandle& append(std::vector<PlacedHandle>& to, std::vector<PlacedHandle>& spare, std::size_t parameter) {
+  const auto own = std::ranges::find(spare, parameter, &PlacedHandle::parameter);
+  if (own != spare.end()) std::swap(*own, spare.back());
+  return append(to, spare);
+}
+
+/// Empties the list, keeping what was in it as spare.
+template <typename Thing>
+void recycle(std::vector<Thing>& list, std::vector<Thing>& spare) {
+  for (; !list.empty(); list.pop_back()) spare.push_back(std::move(list.back()));
+}
+
+}  // namespace
+
+/// Places everything but the `crowded` shortest lines. Returns whether a line runs into another.
+bool Placer::State::placeAll(const FrameToPlace& frame, std::size_t crowded, Layout& layout) {
+  const auto& [view, fields, values, held, viewMoved] = frame;
+  recycle(layout.lines, spareLines);
+  spareHandles.reserve(others.size());
+  recycle(layout.others, spareHandles);
+  layout.others.reserve(others.size());   // however many of them found no place until now
+  layout.hidden.clear();
+  occupied.clear();
+  // What is held stays where it is: shorter lines come before it, but must leave it room.
+  for (const PlacedLine& line : held) occupied.reserve(line);
+  // An arc that stays in its scope's frame has one place only, so all others keep clear of it.
+  const auto stays = [](const Measured& other) { return other.annotation.type == HandleType::kAngular && other.annotation.slip == Slip::kNone; };
+  for (const Measured& other : others) {
+    if (stays(other)) placeOther(other, view, values.at(other.parameter), layout);
+  }
+  outcome.begin(order.size());
+  bool cramped = false;
+  const ObjectPlanesInFrame object{objectPlanes, objectPlaneUses, toleranceM};
+  for (std::size_t rank = 0; rank < order.size(); ++rank) {
+    Measured& measured = order[rank];
+    past.lookAhead.reach(rank);
+    const auto inHand = std::ranges::find(held, measured.parameter, &PlacedLine::parameter);
+    const bool isHeld = inHand != held.end();
+    if (isHeld) occupied.release(*inHand);
+    if (isHeld && !(inHand->chain >= 0 && measured.scopes.size() > 1)) {
+      landHeld(measured, *inHand, layout);
+      continue;
+    }
+    if (rank < crowded) {
+      layout.hidden.push_back({measured.parameter, HiddenReason::kCrowded});
+      // Or an attempt would gain by crowding a line out.
+      outcome.worth += kScoreInside;
+      if (past.histories[measured.parameter].any()) outcome.changes += 1;
+      past.histories[measured.parameter].choseNone();
+    } else {
+      const Identity* avoid = avoided && avoided->rank == rank ? &avoided->place : nullptr;
+      const bool runsInto = placeLines(rank,
+                                       {view, fields, occupied, past.lookAhead, past.labels, object, foresight, scopes, usableScopes(measured), past.sights, object.toleranceM, viewMoved,
+                                        firm, avoid, asksForRoom, showHidden},
+                                       values.at(measured.parameter), layout);
+      // A measure takes no place from what can be edited.
+      cramped |= runsInto && !parameters[measured.parameter].measure;
+    }
+    if (isHeld) occupied.reserve(*inHand);
+  }
+  // Lines are bound to their planes; a switch finds a place nearly anywhere, so it takes what they leave.
+  const bool noPills = !showHidden && view.widthPx() * view.heightPx() < kPillsCrowdedPx2 * static_cast<double>(editable);
+  for (const Measured& other : others) {
+    if (stays(other)) continue;
+    if (noPills && other.annotation.type != HandleType::kAngular) {
+      layout.hidden.push_back({other.parameter, HiddenReason::kCrowded});
+      past.histories[other.parameter].choseNone(true);
+    } else {
+      placeOther(other, view, values.at(other.parameter), layout);
+    }
+  }
+  labelInside(frame, layout);
+  return cramped;
+}
+
+/// Lines inside the model get their labels last, where there is room for them: such a line says what it is by where it lies, and all else has no other way to say it.
+void Placer::State::labelInside(const FrameToPlace& frame, Layout& layout) {
+  for (PlacedLine& line : layout.lines) {
+    if (line.placement != PlacementKind::kInside || line.label) continue;
+    const auto measured = std::ranges::find(order, line.parameter, &Measured::parameter);
+    LabelRequest request{.line = line.lineScreen, .textSize = measured->textSize, .last = past.labels.last(line.identity, 0, frame.viewMoved)};
+    auto found = placeLabel(request, occupied.landed(), frame.view.viewport());
+    request.overExtensions = true;
+    if (!found) found = placeLabel(request, occupied.landed(), frame.view.viewport());
+    if (!found) continue;
+    line.label = found->box;
+    line.labelPlace = found->place;
+    occupied.add(found->box);
+  }
+}
+
+/// The scopes that may carry a line of this parameter in this frame; one a scope.
+std::span<const char> Placer::State::usableScopes(const Measured& measured) const {
+  if (!measured.annotation.occlusion || showHidden) return inView;
+  return past.histories[measured.parameter].shownAnew() ? plain : seen;
+}
+
+BaseLineTally Placer::State::scopesOutOfSight(const Measured& measured) const {
+  BaseLineTally tally;
+  for (const std::size_t scope : measured.scopes) {
+    if (usableScopes(measured)[scope] == 0) ++(inView[scope] != 0 ? tally.occluded : tally.outOfView);
+  }
+  return tally;
+}
+
+/// Returns whether the line runs into another.
+bool Placer::State::placeLines(std::size_t rank, const ChoiceContext& context, double value, Layout& layout) {
+  Measured& measured = order[rank];
+  History& history = past.histories[measured.parameter];
+  label(measured, parameters[measured.parameter], value);
+  const bool found = chooser.choose(measured, context, history);
+  // A line inside the model that is cut off comes, or comes back after it gave way to others, when it has had a place for a while: at the picture's rim it may have one for a moment only. What an edit brings is shown at once.
+  const bool comes = history.hiddenForWantOfRoom() || (firm && history.hidden() && chooser.winner().placement == PlacementKind::kInside);
+  const bool waits = found && !showHidden && comes && !isWhole(chooser.winner().baseScreen, context.view) && !history.betterIsThere();
+  if (!found || waits) {
+    BaseLineTally tally = scopesOutOfSight(measured);
+    tally.add(chooser.tally());
+    layout.hidden.push_back({measured.parameter, reasonFor(tally, !measured.scopes.empty())});
+    history.choseNone(waits || chooser.cramped());
+    return false;
+  }
+  judgeChoice(rank, history);
+  const Candidate& winner = chooser.winner();
+  history.choose(winner.identity, winner.placement == PlacementKind::kOutside ? winner.offsetM : -1,
+                 away(winner.baseScreen, winner.lineScreen));
+  if (context.avoid != nullptr) history.prefer();
+  landChoice(measured, value, layout);
+  noteChoice(measured);
+  return chooser.cramped();
+}
+
+/// Says where the choice lies to those who come before it in the next frame. One that gave way to a label asks for the room where it would have lain, and looks there again.
+void Placer::State::noteChoice(const Measured& measured) {
+  const auto wished = chooser.wished();
+  for (const ChosenLine& line : wished.empty() ? chooser.lines() : wished) {
+    if (chooser.winner().placement == PlacementKind::kInside) {
+      past.lookAhead.noteInside(measured.parameter, line.base);
+    } else {
+      past.lookAhead.note(measured.parameter, line.base, line.foot, line.line);
+    }
+  }
+  if (!wished.empty()) past.histories[measured.parameter] = History(static_cast<std::int32_t>(measured.parameter));
+}
+
+/// Adds what the choice is worth, and what is amiss with it, to the frame's outcome.
+void Placer::State::judgeChoice(std::size_t rank, const History& history) {
+  const Candidate& winner = chooser.winner();
+  const auto [score, tangle, nestsWithin] = chooser.worth(occupied.landed());
+  outcome.worth += score;
+  outcome.outside[rank] = winner.placement != PlacementKind::kInside ? 1 : 0;
+  if (nestsWithin) outcome.amiss[rank] = 1;
+  if (tangle.lines > 0) {
+    outcome.amiss[rank] = 1;
+    const auto other = std::ranges::find(order, static_cast<std::size_t>(tangle.parameter), &Measured::parameter);
+    if (tangle.parameter >= 0 && other != order.end()) outcome.amiss[static_cast<std::size_t>(other - order.begin())] = 1;
+  }
+  if (history.any() && !history.stays(winner.identity, away(winner.baseScreen, winner.lineScreen))) {
+    outcome.changes += 1;
+    outcome.changed[rank] = 1;
+    if (history.leftLately(winner.identity)) outcome.changes += kChangesOfReturn;
+  }
+}
+
+/// Writes the chosen lines into the layout.
+void Placer::State::landChoice(const Measured& measured, double value, Layout& layout) {
+  const Candidate& winner = chooser.winner();
+  const bool inside = winner.placement == PlacementKind::kInside;
+  // The guide that they lie on: the one they snapped to, or a new one. Lines inside the model make none.
+  const int guide = inside ? -1 : winner.guide >= 0 ? winner.guide : occupied.addGuide(winner.plane.plane, winner.line);
+  for (const ChosenLine& chosen : chooser.lines()) {
+    PlacedLine& line = append(layout.lines, spareLines);
+    line.parameter = measured.parameter;
+    line.scope = chosen.scope;
+    line.identity = winner.identity;
+    line.identity.scopeIndex = static_cast<std::int32_t>(scopes[chosen.scope].index);
+    line.type = measured.annotation.type;
+    line.placement = winner.placement;
+    line.planeKind = winner.plane.kind;
+    line.facing = winner.plane.facing;
+    line.plane = winner.plane.plane;
+    line.base = chosen.base;
+    line.foot = chosen.foot;
+    line.line = chosen.line;
+    line.baseScreen = chosen.baseScreen;
+    line.lineScreen = chosen.lineScreen;
+    line.extensionStart.clear();
+    line.extensionEnd.clear();
+    if (!inside) {
+      writeExtension(chosen.baseScreen.start, chosen.footScreen.start, chosen.lineScreen.start, line.extensionStart);
+      writeExtension(chosen.baseScreen.end, chosen.footScreen.end, chosen.lineScreen.end, line.extensionEnd);
+      const Vec2 along = chosen.lineScreen.end - chosen.lineScreen.start;
+      moveAside(line.extensionStart, along, occupied.landed());
+      moveAside(line.extensionEnd, -along, occupied.landed());
+    }
+    // A parameter has at most one chain in a frame, so its number says which chain it is.
+    line.chain = winner.identity.chain >= 0 ? static_cast<std::int32_t>(measured.parameter) : -1;
+    line.indirect = measured.annotation.indirect;
+    line.look = {measured.annotation.skin, measured.annotation.color};
+    line.lengthM = chosen.base.length();
+    line.value = value;
+    line.text = measured.text;
+    line.label = chosen.label;
+    line.labelPlace = chosen.labelPlace;
+    line.handles.clear();
+    const bool measure = parameters[measured.parameter].measure;
+    if (!measure) line.handles.push_back({true, chosen.lineScreen.end});
+    if (!measure && measured.annotation.ends == HandleEnds::kBoth) line.handles.push_back({false, chosen.lineScreen.start});
+    occupied.add(line, guide);
+  }
+}
+
+/// A line that is being dragged stays on its carrier, whatever this frame would have chosen for it.
+void Placer::State::landHeld(Measured& measured, const PlacedLine& held, Layout& layout) {
+  label(measured, parameters[held.parameter], held.value);
+  past.histories[held.parameter].choose(held.identity, -1, away(held.baseScreen, held.lineScreen));
+  int guide = -1;
+  if (held.placement != PlacementKind::kInside) {
+    guide = occupied.guides().through(held.line, held.plane, toleranceM);
+    if (guide < 0) guide = occupied.addGuide(held.plane, held.line);
+    past.lookAhead.note(held.parameter, held.base, held.foot, held.line);
+  } else {
+    past.lookAhead.noteInside(held.parameter, held.base);
+  }
+  PlacedLine& line = append(layout.lines, spareLines);
+  line = held;
+  occupied.add(line, guide);
+}
+
+void Placer::State::placeOther(const Measured& measured, const View& view, double value, Layout& layout) {
+  const std::span<const char> usable = usableScopes(measured);
+  scopesInSight.clear();
+  std::ranges::copy_if(measured.scopes, std::back_inserter(scopesInSight), [&](std::size_t scope) { return usable[scope] != 0; });
+  History& history = past.histories[measured.parameter];
+  const OtherHandle handle{measured.parameter, parameters[measured.parameter], measured.annotation, scopesInSight, value, history, firm && !showHidden, foresight.nears()};
+  const OtherHandleContext context{view, occupied.padded(), occupied.landed(), scopes};
+  PlacedHandle& placed = append(layout.others, spareHandles, measured.parameter);
+  placed.parameter = measured.parameter;
+  const auto missing =
+      measured.annotation.type == HandleType::kAngular ? placeArc(handle, context, placed) : placePill(handle, context, placed);
+  if (!missing) {
+    history.choose(placed.identity, -1);
+    occupied.add(placed, view);
+    return;
+  }
+  spareHandles.push_back(std::move(placed));
+  layout.others.pop_back();
+  const HiddenReason unseen = reasonFor(scopesOutOfSight(measured), !measured.scopes.empty());
+  const HiddenReason reason = scopesInSight.empty() ? unseen : *missing;
+  layout.hidden.push_back({measured.parameter, reason});
+  history.choseNone(reason == HiddenReason::kCrowded);
+}
+
+}  // namespace dimline

@@ -1,0 +1,104 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "placement/chooser.h"
+#include "placement/foresight.h"
+#include "placement/label_memory.h"
+#include "placement/mending.h"
+#include "placement/placer.h"
+#include "placement/visibility.h"
+
+// What a Placer is made of; private to the placer's own files. placer.cpp keeps what is known from frame to frame and says how often a frame is placed, placer_attempt.cpp places it
+// once: algorithm 1 of the paper, one parameter after the other.
+
+namespace dimline {
+
+/// What is to be placed in a frame.
+struct FrameToPlace {
+  const View& view;
+  const DistanceFields& fields;
+  const Values& values;
+  std::span<const PlacedLine> held;
+  bool viewMoved = false;   ///< since the last frame
+};
+
+struct Placer::State {
+  std::vector<Parameter> parameters;
+  std::vector<Scope> scopes;
+  Bounds bounds;                      ///< of the model (m)
+  double toleranceM = 0;              ///< kSamePlaneDistance of its size
+  std::vector<Measured> order;        ///< those with dimension lines, shortest first
+  std::vector<Measured> others;       ///< those with other handles, in the order of their definition
+  std::size_t editable = 0;           ///< how many of both can be edited; the other ones are measures
+  std::vector<ObjectPlane> objectPlanes;
+
+  /// What is remembered of the frames before.
+  struct Past {
+    std::vector<History> histories;   ///< one a parameter
+    std::vector<Sight> sights;        ///< one a scope
+    LookAhead lookAhead;
+    LabelMemory labels;
+    Mending mending;
+    bool held = false;                ///< whether a line was held in the last frame
+    std::optional<View> view;         ///< of the last frame
+    std::size_t crowded = 0;          ///< how many of the shortest lines are hidden for want of room
+    int crowdedFrames = kReturnFrames;   ///< moved frames since that many were found to be too few
+    bool sceneChanged = false;        ///< since the last frame
+  };
+  Past past;
+  bool showHidden = false;
+  Past beforePlacing;                 ///< in a viewport that may be too small: what to go back to
+  Outcome outcome;
+  bool firm = false;                  ///< see ChoiceContext
+  bool asksForRoom = false;           ///< see ChoiceContext
+  struct Avoided {
+    std::size_t rank = 0;
+    Identity place;
+  };
+  std::optional<Avoided> avoided;     ///< by the line of that rank, in an attempt to find another place for it
+
+  // The best attempt at this frame so far, while another is made; and what all of them begin with.
+  Past bestPast;
+  Outcome bestOutcome;
+  Layout bestLayout;
+  Past beforeAttempts;
+
+  // Memory of one frame, kept so that the next allocates nothing.
+  Occupied occupied;
+  Chooser chooser;
+  Foresight foresight;
+  std::vector<ObjectPlaneUse> objectPlaneUses;
+  std::vector<char> inView;           ///< one a scope
+  std::vector<char> seen;             ///< one a scope: in view, and not hidden by the model
+  std::vector<char> plain;            ///< those of them that what is hidden may be shown for
+  std::vector<std::size_t> scopesInSight;
+  std::vector<PlacedLine> spareLines;
+  std::vector<PlacedHandle> spareHandles;
+
+  // placer.cpp
+  void keepChains(std::span<const Measured> before, const Measured& now);
+  bool beginFrame(const View& view);
+  void findVisible(const View& view, const ScopeVisibility* visibility, int framesOn);
+  void placeOnce(const FrameToPlace& frame, bool sceneChanged, bool shown, Layout& layout);
+  void mend(const FrameToPlace& frame, Layout& layout);
+  void swapWithBest(Layout& layout);
+  void placeWithRoom(const FrameToPlace& frame, Layout& layout);
+
+  // placer_attempt.cpp
+  bool placeAll(const FrameToPlace& frame, std::size_t crowded, Layout& layout);
+  void labelInside(const FrameToPlace& frame, Layout& layout);
+  [[nodiscard]] std::span<const char> usableScopes(const Measured& measured) const;
+  [[nodiscard]] BaseLineTally scopesOutOfSight(const Measured& measured) const;
+  bool placeLines(std::size_t rank, const ChoiceContext& context, double value, Layout& layout);
+  void noteChoice(const Measured& measured);
+  void judgeChoice(std::size_t rank, const History& history);
+  void landChoice(const Measured& measured, double value, Layout& layout);
+  void landHeld(Measured& measured, const PlacedLine& held, Layout& layout);
+  void placeOther(const Measured& measured, const View& view, double value, Layout& layout);
+};
+
+}  // namespace dimline
