@@ -10,7 +10,7 @@ const kDigits = 10; // of a number: more than anybody sets, and fewer than arith
 
 /** The name of the model that an address asks for, or null. */
 export function modelOf(url) {
-  return new URL(url).searchParams.get(kModelKey);
+  return new URL(url).searchParams.get(kModelKey) || null;
 }
 
 /** An address with another model in it, and no values. */

@@ -7,7 +7,7 @@
  *     const core = await createCore();
  *     core.setModel("house");
  *     core.resize(1000, 1000, 1);
- *     while (core.frame(performance.now()) || !core.atRest()) {}
+ *     while (core.frame(performance.now()) || !core.atRest) {}
  *     core.layout();
  *     core.dispose();
  */
@@ -390,8 +390,10 @@ function check(sentence) {
 }
 
 function jsonOf(values) {
-  if (values === null || typeof values !== "object" || Array.isArray(values)) {
-    throw new Error('Parameters are set by an object of names and values, as in {"Width": 9}.');
+  // Of a Map, an array or a promise the entries are not the names and values.
+  const kind = Object.prototype.toString.call(values).slice(8, -1);
+  if (kind !== "Object") {
+    throw new Error(`Parameters are set by an object of names and values, as in {"Width": 9}, not by ${kind}.`);
   }
   for (const [name, value] of Object.entries(values)) checkValue(name, value);
   return JSON.stringify(values);

@@ -37,12 +37,13 @@ function makeContextBefore(coming, canvas) {
  *
  * Attributes, each with a property of the same meaning:
  * - `model`: the name of a built-in model, or the URL of a .gltf or .glb
- * - `initial-values` (`initialValues`): what each model begins with where that is not its defaults, as in '{"Width": 9}'
+ * - `initial-values` (`initialValues`): what a model begins with where that is not its defaults, as in '{"Width": 9}'; read when a model is loaded, so for
+ *   another model it is given anew, before or after `model` but in the same task
  * - `lang`: the language in whose manner numbers are written, as in "9,40 m"; the visitor's own by default
  * - `core-url` (`coreUrl`): where dimline.js lies, when not in build/ beside this file; read when the element enters a document
  *
  * Events; all bubble and leave the shadow tree:
- * - `load`: another document is shown; `error`: it could not be (an ErrorEvent; the old document stays)
+ * - `load`: another document is shown; `error`: it could not be, and the old one stays, or not with its initial values (an ErrorEvent)
  * - `input`: a value changes; `change`: once at the end of each gesture, undo or scripted change
  * - `camera-change`
  */
@@ -57,10 +58,13 @@ export class DimlineEditor extends Base {
   #loading = null; // AbortController of the model under way
   #hasModel = false;
   #initialValues = null; // as the property was given
+  #resuming = null; // {model, values, camera}: what another attempt goes on with
   #input = null;
   #overlay = null;
   #peeking = false; // the key that shows hidden lines is down
   #hiddenShown = false;
+  #linesShown = true;
+  #measuresShown = false;
   #mark = ".";
   #ready = makeDeferred();
   #settling = new Waiting();
@@ -97,6 +101,7 @@ export class DimlineEditor extends Base {
   /**
    * What a model begins with when it is loaded, in place of its defaults: saved values, say. An object of names and values, a function that makes
    * one of the new model's getParameters(), or null. Where a value cannot be had, the model is shown with its defaults, and an `error` event says why.
+   * What is set here comes before the attribute.
    */
   get initialValues() {
     if (this.#initialValues !== null) return this.#initialValues;
@@ -120,7 +125,7 @@ export class DimlineEditor extends Base {
   /**
    * The parameters and their values. Angles are in degrees; the value of a choice is its name.
    * @returns {{name: string, title: string, help: string, type: "float" | "int" | "angle" | "bool" | "choice",
-   *   value: number | boolean | string, default: number | boolean | string, min: number, max: number, step: number,
+   *   value: number | boolean | string, default: number | boolean | string, min: number | null, max: number | null, step: number | null,
    *   unit: "m" | "deg" | "m2" | "", choices: string[], group: string, annotation: string}[]}
    */
   getParameters() {
@@ -132,7 +137,7 @@ export class DimlineEditor extends Base {
     this.#act((core) => core.setParameters(values));
   }
 
-  /** One entry of CAMS.json: {eye, target, up, fovDeg} or, orthographic, {eye, target, up, orthoHeight}. */
+  /** {eye, target, up, fovDeg} or, orthographic, {eye, target, up, orthoHeight}: points and directions as [x, y, z], in metres. */
   getCamera() {
     return this.#need().camera();
   }
@@ -205,10 +210,11 @@ export class DimlineEditor extends Base {
 
   /** Whether dimension lines and other handles are shown; without them there is only the picture. */
   get linesShown() {
-    return this.#core?.linesShown ?? true;
+    return this.#linesShown;
   }
   set linesShown(on) {
-    this.#act((core) => (core.linesShown = on));
+    this.#linesShown = Boolean(on);
+    this.#showLines();
   }
 
   /**
@@ -241,10 +247,11 @@ export class DimlineEditor extends Base {
 
   /** Whether measures are shown in the picture, as lines without handles. */
   get measuresShown() {
-    return this.#core?.measuresShown ?? false;
+    return this.#measuresShown;
   }
   set measuresShown(on) {
-    this.#act((core) => (core.measuresShown = Boolean(on)));
+    this.#measuresShown = Boolean(on);
+    this.#showLines();
   }
 
   /** The mark between whole numbers and fractions: "." or ",". */
@@ -287,7 +294,18 @@ export class DimlineEditor extends Base {
   // --- Life ---
 
   connectedCallback() {
+    this.#upgradeProperties();
     if (!this.#listening) this.#start();
+  }
+
+  // What a page has set before this class was known lies before its accessors.
+  #upgradeProperties() {
+    for (const name of ["model", "coreUrl", "initialValues", "linesShown", "measuresShown", "hiddenShown"]) {
+      if (!Object.hasOwn(this, name)) continue;
+      const value = this[name];
+      delete this[name];
+      this[name] = value;
+    }
   }
 
   disconnectedCallback() {
@@ -298,7 +316,7 @@ export class DimlineEditor extends Base {
   }
 
   attributeChangedCallback(name) {
-    if (!this.#core) return;
+    if (!this.#core || !this.#size) return; // #start() comes to it
     if (name === "model") this.#loadModel();
     else this.#act(() => this.#applyLanguage());
   }
@@ -331,6 +349,7 @@ export class DimlineEditor extends Base {
       this.#watchMotion(listening.signal);
       this.#applyLanguage();
       this.#showHidden();
+      this.#showLines();
       window.addEventListener("languagechange", () => this.#guard(() => this.#applyLanguage()), listening);
       if (this.model) await this.#loadModel();
       this.#drawNow();
@@ -418,7 +437,11 @@ export class DimlineEditor extends Base {
     this.#settling.reject(gone);
   }
 
+  // A core that has lost its picture goes on where it was; after a fault nobody knows what that is worth.
   #restart() {
+    const core = this.#hasModel ? this.#core : null;
+    const valuesOf = (parameters) => Object.fromEntries(parameters.map(({ name, value }) => [name, value]));
+    this.#resuming = core && { model: this.model, values: valuesOf(core.parameters()), camera: core.camera() };
     this.#dispose();
     this.#start();
   }
@@ -429,6 +452,8 @@ export class DimlineEditor extends Base {
     const name = this.model;
     this.#loading?.abort();
     const { signal } = (this.#loading = new AbortController());
+    await null; // who sets the model may go on to say what it begins with
+    if (signal.aborted || !this.#core) return;
     try {
       if (isGltfUrl(name)) {
         const scene = await this.#core.readGltf(name, fetchGltf(new URL(name, document.baseURI).href, signal));
@@ -443,8 +468,9 @@ export class DimlineEditor extends Base {
       this.#parts.message.hide();
       this.#requestFrame();
       this.#begin();
-    } catch (error) {
+    } catch (cause) {
       if (signal.aborted) return;
+      const error = cause instanceof Error ? cause : new Error(`The model could not be loaded: ${cause}.`, { cause });
       if (error instanceof WebAssembly.RuntimeError) return this.#fail(error);
       if (!this.#hasModel) this.#parts?.message.show("The model cannot be shown.", error.message);
       this.dispatchEvent(
@@ -455,9 +481,16 @@ export class DimlineEditor extends Base {
 
   // Before the first frame, so that nothing else is seen.
   #begin() {
+    const resuming = this.#resuming;
+    this.#resuming = null;
+    if (resuming?.model === this.model) {
+      this.#core.beginWith(resuming.values);
+      this.#core.setCamera(resuming.camera);
+      return;
+    }
     const first = this.initialValues;
     const values = typeof first === "function" ? first(this.#core.parameters()) : first;
-    if (values && Object.keys(values).length > 0) this.#core.beginWith(values);
+    if (values !== null && values !== undefined) this.#core.beginWith(values);
   }
 
   #watchMotion(signal) {
@@ -517,6 +550,14 @@ export class DimlineEditor extends Base {
 
   #showHidden() {
     if (this.#core) this.#act((core) => (core.hiddenShown = this.#peeking || this.#hiddenShown));
+  }
+
+  #showLines() {
+    if (!this.#core) return;
+    this.#act((core) => {
+      core.linesShown = this.#linesShown;
+      core.measuresShown = this.#measuresShown;
+    });
   }
 
   #applyLanguage() {

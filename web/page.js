@@ -19,6 +19,17 @@ const firstModel = editor.model;
 const modelOfAddress = () => modelOf(location.href) ?? firstModel;
 editor.model = modelOfAddress();
 
+let shownModel = null;
+let refusedModel = null; // was asked for last and could not be had, so that the one before it is shown
+// The one that is shown, or on its way.
+const wantedModel = () => (editor.model === refusedModel ? shownModel : editor.model);
+const onItsWay = () => wantedModel() !== shownModel;
+
+function askFor(name) {
+  refusedModel = null;
+  editor.model = name;
+}
+
 // What the row in use is about, or else how to begin.
 const coarse = matchMedia("(pointer: coarse)");
 function showHint(sentence = "") {
@@ -26,7 +37,9 @@ function showHint(sentence = "") {
 }
 showHint();
 
-const picker = new ModelPicker(byId("model"), byId("models"), (name) => (editor.model = name));
+const picker = new ModelPicker(byId("model"), byId("models"), (name) => {
+  if (name !== wantedModel()) askFor(name);
+});
 
 let sliding = false; // by a control of the panel
 
@@ -95,6 +108,8 @@ function showProjection() {
 }
 
 function showDocument() {
+  shownModel = editor.model;
+  refusedModel = null;
   const models = editor.getModels();
   const title = models.find((model) => model.name === editor.model)?.title ?? editor.model.split("/").pop();
   byId("title").textContent = byId("document").textContent = title;
@@ -120,14 +135,14 @@ function showMore() {
 // Another model is a step in the browser's history, unless the address says so already: then it is where the model came from.
 function remember() {
   const parameters = editor.getParameters();
-  if (modelOfAddress() !== editor.model) history.pushState(null, "", withModel(location.href, editor.model));
+  if (modelOfAddress() !== shownModel) history.pushState(null, "", withModel(location.href, shownModel));
   const address = withValues(location.href, parameters);
   if (address !== location.href) history.replaceState(null, "", address);
 }
 
 // A model that was chosen in the page begins with its defaults; one that the address brings, with what that says.
 function addressedValues(parameters) {
-  if (modelOfAddress() !== editor.model) return {};
+  if (modelOfAddress() !== wantedModel()) return {};
   const { values, problems } = valuesOf(location.href, parameters);
   if (problems.length > 0) say(problems.join(" "));
   return values;
@@ -137,6 +152,7 @@ editor.initialValues = addressedValues;
 function recall() {
   const parameters = editor.getParameters();
   attempt(() => editor.setParameters({ ...panel.defaults(parameters), ...addressedValues(parameters) }));
+  remember();
 }
 
 // The editor itself tells why it cannot go on; the page tells why a document could not be loaded while another is shown.
@@ -149,7 +165,12 @@ function showFailure(error) {
     return;
   }
   if (panelNode.dataset.state !== "ready") panelNode.dataset.state = "failed";
-  else if (!editor.error) say(error.message);
+  else if (!editor.error) {
+    say(error.message);
+    refusedModel = editor.model;
+    history.replaceState(null, "", withModel(location.href, shownModel));
+    remember();
+  }
 }
 
 // The first picture does not wait for the panel beside it, which takes a while to build: it is painted first.
@@ -173,7 +194,8 @@ editor.addEventListener("input", () => {
 });
 editor.addEventListener("change", () => {
   showValues(false);
-  if (panelNode.dataset.state === "ready") remember();
+  // What is done while another model is on its way goes when that comes.
+  if (panelNode.dataset.state === "ready" && !onItsWay()) remember();
 });
 editor.addEventListener("camera-change", showProjection);
 
@@ -230,8 +252,8 @@ byId("reset-all").addEventListener("click", () =>
   attempt(() => editor.setParameters(panel.defaults(editor.getParameters()))),
 );
 addEventListener("popstate", () => {
-  if (editor.model !== modelOfAddress()) editor.model = modelOfAddress();
-  else if (panelNode.dataset.state === "ready") recall();
+  if (wantedModel() !== modelOfAddress()) askFor(modelOfAddress());
+  else if (panelNode.dataset.state === "ready" && !onItsWay()) recall();
 });
 
 // On a phone the panel is a sheet under the picture, which folds.

@@ -62,9 +62,12 @@ Status Editor::setModel(Model model) {
 void Editor::beginWith(std::span<const std::pair<std::size_t, double>> changes) {
   State& s = *state_;
   if (!s.loaded) return;
+  const Values first = s.changed(Values(s.model.parameters()), changes);
+  const bool loading = std::ranges::find(s.events, EditorEvent::kLoad) != s.events.end();
+  if (loading && first == s.values) return;
   s.dropGestures();
-  s.begin(s.changed(Values(s.model.parameters()), changes));
-  if (std::ranges::find(s.events, EditorEvent::kLoad) != s.events.end()) return;
+  s.begin(first);
+  if (loading) return;
   s.notify(EditorEvent::kInput);
   s.notify(EditorEvent::kChange);
 }

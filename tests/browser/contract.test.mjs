@@ -326,6 +326,11 @@ test("initial-values: what a model begins with, by attribute or by property", as
       (editor) => (editor.initialValues = (parameters) => ({ Width: parameters.find((p) => p.name === "Width").max })),
       (editor) => editor.setAttribute("initial-values", "Width=9"),
       (editor) => editor.setAttribute("initial-values", '{"Moat": 3}'),
+      (editor) => (editor.initialValues = new Map([["Width", 9]])),
+      (editor) =>
+        (editor.initialValues = () => {
+          throw undefined;
+        }),
     ];
     const results = [];
     for (const give of kinds) {
@@ -345,13 +350,43 @@ test("initial-values: what a model begins with, by attribute or by property", as
     }
     return results;
   });
-  const [attribute, object, made, noJson, unknown] = begun;
+  const [attribute, object, made, noJson, unknown, map, thrower] = begun;
   assert.deepEqual([attribute.value, attribute.atLoad, attribute.canUndo, attribute.problem], [9.7, 9.7, false, ""]);
   assert.deepEqual([object.value, object.atLoad], [10.4, 10.4]);
   assert.equal(made.value, made.max);
-  for (const wrong of [noJson, unknown]) assert.equal(wrong.value, wrong.byDefault);
+  for (const wrong of [noJson, unknown, map, thrower]) assert.equal(wrong.value, wrong.byDefault);
   assert.match(noJson.problem, /initial-values.*JSON/);
   assert.match(unknown.problem, /Moat/);
+  assert.match(map.problem, /Map/);
+  assert.match(thrower.problem, /could not be loaded/);
+});
+
+test("an element that knew its properties before its class, and another model with values of its own in one task", async () => {
+  const seen = await page.evaluate(async () => {
+    const editor = document.createElement("div");
+    const early = document.createElement("dimline-editor");
+    // As if they had been set before the class was known.
+    for (const [name, value] of Object.entries({ model: "house", initialValues: { Width: 9.7 }, linesShown: false })) {
+      Object.defineProperty(early, name, { value, writable: true, configurable: true, enumerable: true });
+    }
+    early.style.cssText = "position: fixed; inset: 0 auto auto 0; width: 400px; height: 300px";
+    editor.append(early);
+    document.body.append(editor);
+    const events = [];
+    for (const type of ["load", "error", "change"]) early.addEventListener(type, (event) => (events.push(type), event.stopPropagation()));
+    await early.ready;
+    const valueOf = (name) => early.getParameters().find((p) => p.name === name).value;
+    const first = { width: valueOf("Width"), attribute: early.getAttribute("model"), linesShown: early.linesShown };
+    early.model = "boat";
+    early.initialValues = { Length: 30 };
+    await early.settled();
+    const second = { length: valueOf("Length"), canUndo: early.canUndo };
+    editor.remove();
+    return { first, second, events };
+  });
+  assert.deepEqual(seen.first, { width: 9.7, attribute: "house", linesShown: false });
+  assert.deepEqual(seen.second, { length: 30, canUndo: false });
+  assert.deepEqual(seen.events, ["load", "load"]);
 });
 
 test("nothing of all this made the page complain", () => {

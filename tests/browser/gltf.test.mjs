@@ -94,3 +94,33 @@ test("another model that is chosen while a file is read is the one that is shown
   assert.deepEqual(await namesOf(page), names);
   await close();
 });
+
+test("what is done while a file is on its way, or after it could not be had, is not written under its address", async () => {
+  const { page, complaints, close } = await openPageWithFiles();
+  let arrived;
+  const arrival = new Promise((resolve) => (arrived = resolve));
+  await page.route(pageUrl("files/slow.glb"), async (route) => {
+    await arrival;
+    await route.fulfill({ body: Buffer.from(tetrahedronGlb()) });
+  });
+  const visit = (address) => page.evaluate((url) => (history.pushState(null, "", url), dispatchEvent(new PopStateEvent("popstate"))), address);
+  await visit("?model=files/slow.glb#Height=6");
+  await call(page, "setParameters", { Width: 9.7 });
+  await page.waitForTimeout(100);
+  assert.equal(page.url(), pageUrl("?model=files/slow.glb#Height=6"));
+  const loaded = page.evaluate(() => new Promise((resolve) => document.querySelector("dimline-editor").addEventListener("load", resolve, { once: true })).then(() => {}));
+  arrived();
+  await loaded;
+  await settle(page);
+  assert.equal(await valueOf(page, "Height"), 6);
+
+  await visit("?model=files/broken.glb");
+  await page.waitForFunction(() => document.querySelector("#status").textContent !== "");
+  const back = new URL(page.url());
+  assert.deepEqual([back.searchParams.get("model"), back.hash], ["files/slow.glb", "#Height=6"], "the address is that of what is shown");
+  await call(page, "setParameters", { Height: 5 });
+  await settle(page);
+  assert.equal(new URL(page.url()).hash, "#Height=5");
+  assert.deepEqual(complaints, []);
+  await close();
+});

@@ -124,6 +124,19 @@ test("what was changed is still there after a reload, after another model, and b
   await close();
 });
 
+test("the model that is shown, chosen again, stays as it is", async () => {
+  const { page, close } = await openPage(browser, { path: "?model=" });
+  await call(page, "setParameters", { Width: 9.7 });
+  await settle(page);
+  await openMenu(page);
+  await dialog(page).locator("a[aria-current]").click();
+  await settle(page);
+  assert.equal(await modelOf(page), "house");
+  assert.equal((await valuesOf(page)).Width, 9.7);
+  assert.equal(await page.evaluate(() => document.querySelector("dimline-editor").canUndo), true);
+  await close();
+});
+
 test("an address that asks for what cannot be had shows the rest, and says so", async () => {
   const { page, complaints, close } = await openPage(browser, { path: "#Width=wide&Depth=700&Moat=3" });
   const parameters = await call(page, "getParameters");
@@ -131,6 +144,7 @@ test("an address that asks for what cannot be had shows the rest, and says so", 
   assert.equal(depth.value, depth.max);
   assert.equal(parameters.find((p) => p.name === "Width").value, parameters.find((p) => p.name === "Width").default);
   assert.match(await page.locator("#status").textContent(), /Width.*number.*Moat/);
+  assert.equal(new URL(page.url()).hash, `#Depth=${depth.max}`, "and says what there is");
   assert.deepEqual(complaints, []);
   await close();
 });

@@ -83,6 +83,27 @@ test("while the context is away the page lives on", async () => {
   await close();
 });
 
+test("a context that does not come back: trying again goes on with the values and the camera", async () => {
+  const { page, close } = await openPage(browser);
+  await call(page, "setParameters", { Width: 8 });
+  await page.evaluate(() => (document.querySelector("dimline-editor").measuresShown = true));
+  await call(page, "setView", "left");
+  await settle(page);
+  const camera = await call(page, "getCamera");
+  await page.evaluate(() => {
+    const gl = document.querySelector("dimline-editor").shadowRoot.querySelector("canvas").getContext("webgl2");
+    gl.getExtension("WEBGL_lose_context").loseContext();
+  });
+  await page.locator("dimline-editor").getByRole("button", { name: "Try again" }).click();
+  await ready(page);
+  await settle(page);
+  assert.equal(await valueOf(page, "Width"), 8);
+  assert.deepEqual(await call(page, "getCamera"), camera);
+  assert.equal(await page.evaluate(() => document.querySelector("dimline-editor").measuresShown), true);
+  await assertPicture(page, "after-a-lost-context");
+  await close();
+});
+
 test("without WebGL 2 the page says so", async () => {
   await withBrowser(
     async (without) => {
