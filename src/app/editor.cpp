@@ -213,6 +213,7 @@ void Editor::resize(double widthPx, double heightPx, double devicePixelRatio) {
   if (widthPx == s.widthPx && heightPx == s.heightPx && devicePixelRatio == s.devicePixelRatio) return;
   s.widthPx = widthPx;
   s.heightPx = heightPx;
+  s.recall.reset();
   s.devicePixelRatio = devicePixelRatio;
   s.viewStale = true;
   s.pictureStale = true;
@@ -266,6 +267,7 @@ void Editor::State::moveCamera(const Camera& next) {
   cameraUntouched = false;
   compositionDue = false;
   camera = next;
+  recall.reset();  // it was of another picture
   viewStale = true;
   notify(EditorEvent::kCameraChange);
 }

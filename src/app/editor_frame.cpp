@@ -86,7 +86,8 @@ void Editor::State::measureAndPlace(const View& view) {
   const bool seenNow = seen == VisibilitySource::Arrival::kPresent;
   if (seenNow) visibilityStale = false;
   const bool arrived = fieldSource.update(view, moved, devicePixelRatio, renderer.get());
-  if (arrived) {
+  // A document that opens waits for fields of its own.
+  if (arrived && (placedOnce || fieldSource.current())) {
     timings.fieldsMs = fieldSource.measuredMs();
     placeOn(fieldSource.view(), moved);
   } else if (!moved && fieldSource.current() && (seenNow || (visibilityStale && !visibilitySource.awaiting()))) {

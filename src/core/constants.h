@@ -41,6 +41,9 @@ inline constexpr double kMostDepthRatio = 2.5;
 /// A line hidden as too short or foreshortened is shown again when it passes the threshold by this factor, so that it does not come and go at its edge.
 inline constexpr double kShowAgainFactor = 1.2;
 
+/// px. While all is shown, a line must still have a direction on screen.
+inline constexpr double kShowAllLengthPx = 1.5;
+
 /// px. How much further out than the least offset a line is tried, step by step, when its label has no room there.
 inline constexpr double kLabelPushStepPx = 10.0;
 inline constexpr int kLabelPushSteps = 4;

@@ -129,7 +129,6 @@ Foresight::Prospect Foresight::prospectInside(const Segment& base, bool whole) c
     return !look.view.inFrontOfNear(base.start) || !look.view.inFrontOfNear(base.end) || !meets(look.view.toScreen(base), look.view.viewport());
   });
   return {.price = lossPrice_ * shareLeft(lost),
-          .brief = lost < briefCount_,
           .lastMoments = zooms() && lost < (whole ? kLooksAtLastMomentsInside : kLooksAtLastMomentsCut)};
 }
 

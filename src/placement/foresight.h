@@ -29,7 +29,7 @@ class Foresight {
   /// What the movement will do to a place.
   struct Prospect {
     double price = 0;          ///< px, to be added to the place's score
-    bool brief = false;        ///< it is lost before the view has turned by kForesightRad or zoomed by kBriefZoom
+    bool brief = false;        ///< outside the model: it is lost before the view has turned by kForesightRad or zoomed by kBriefZoom
     bool lastMoments = false;  ///< while the camera comes nearer or goes away: it is lost so soon that it is not worth being begun (kLooksAtLastMoments)
   };
   /// Whether the camera comes nearer or goes away.

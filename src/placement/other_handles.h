@@ -29,6 +29,7 @@ struct OtherHandle {
   History& history;
   bool firm = false;         ///< no better kind of place is taken at once
   bool nearing = false;      ///< the camera comes nearer, so that places outside do not last
+  bool showAll = false;      ///< one that is seen nearly edge-on is shown too
 };
 
 /// The identity of a handle at a scope. `way`: by what number its kind counts the ways in which it may be moved out; -1 when it was not.

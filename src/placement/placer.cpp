@@ -42,17 +42,19 @@ void Placer::forget() {
 
 struct Placer::Memory::Content {
   State::Past past;
+  Foresight foresight;   ///< of the same model, whose object planes it has looked at
 };
 
 Placer::Memory Placer::memory() const {
   Memory memory;
-  memory.content_ = std::make_shared<const Memory::Content>(Memory::Content{state_->past});
+  memory.content_ = std::make_shared<const Memory::Content>(Memory::Content{state_->past, state_->foresight});
   return memory;
 }
 
 void Placer::recall(const Memory& memory) {
   if (memory.content_ == nullptr || memory.content_->past.histories.size() != state_->past.histories.size()) return;
   state_->past = memory.content_->past;
+  state_->foresight = memory.content_->foresight;
 }
 
 void Placer::awaitFields() { state_->past.sceneChanged = state_->past.sceneChanged || !state_->firm; }
@@ -110,6 +112,8 @@ void Placer::setScene(const Model& model, const Scene& scene) {
   appendSorted(byLength[0]);
   s.objectPlanes = objectPlanes(fixedBaseLines(s.order, s.scopes), scene.bounds);
   appendSorted(byLength[1]);
+  s.mostLines = 0;
+  for (const Measured& measured : s.order) s.mostLines += measured.scopes.size();
 }
 
 /// In a model that an edit has rebuilt, chains are known by the clusters that theirs have become. As many clusters as before are the same ones.
@@ -145,7 +149,7 @@ void Placer::place(const View& view, const DistanceFields& fields, const Values&
   s.occupied.begin(fields);
   // In a first picture nothing is known of what is ahead, and little is mended: more rounds of the same view make up for that.
   const int rounds = first && held.empty() ? kFirstPictureRounds : 1;
-  s.asksForRoom = rounds > 1;
+  s.opening = s.asksForRoom = rounds > 1;
   s.placeOnce(frame, sceneChanged, true, layout);
   const bool firm = s.firm;
   for (int round = 1; round < rounds; ++round) {

@@ -57,10 +57,12 @@ PlacedHandle& append(std::vector<PlacedHandle>& to, std::vector<PlacedHandle>& s
   return append(to, spare);
 }
 
-/// Empties the list, keeping what was in it as spare.
+/// Empties the list, keeping what was in it as spare: as many as two attempts can need (`most` in one), since whoever has the layout may have added to it.
 template <typename Thing>
-void recycle(std::vector<Thing>& list, std::vector<Thing>& spare) {
-  for (; !list.empty(); list.pop_back()) spare.push_back(std::move(list.back()));
+void recycle(std::vector<Thing>& list, std::vector<Thing>& spare, std::size_t most) {
+  for (; !list.empty(); list.pop_back()) {
+    if (spare.size() < 2 * most) spare.push_back(std::move(list.back()));
+  }
 }
 
 }  // namespace
@@ -68,9 +70,9 @@ void recycle(std::vector<Thing>& list, std::vector<Thing>& spare) {
 /// Places everything but the `crowded` shortest lines. Returns whether a line runs into another.
 bool Placer::State::placeAll(const FrameToPlace& frame, std::size_t crowded, Layout& layout) {
   const auto& [view, fields, values, held, viewMoved] = frame;
-  recycle(layout.lines, spareLines);
+  recycle(layout.lines, spareLines, mostLines);
   spareHandles.reserve(others.size());
-  recycle(layout.others, spareHandles);
+  recycle(layout.others, spareHandles, others.size());
   layout.others.reserve(others.size());   // however many of them found no place until now
   layout.hidden.clear();
   occupied.clear();
@@ -162,8 +164,8 @@ bool Placer::State::placeLines(std::size_t rank, const ChoiceContext& context, d
   History& history = past.histories[measured.parameter];
   label(measured, parameters[measured.parameter], value);
   const bool found = chooser.choose(measured, context, history);
-  // A line inside the model that is cut off comes, or comes back after it gave way to others, when it has had a place for a while: at the picture's rim it may have one for a moment only. What an edit brings is shown at once.
-  const bool comes = history.hiddenForWantOfRoom() || (firm && history.hidden() && chooser.winner().placement == PlacementKind::kInside);
+  // A line inside the model that is cut off comes, or comes back after it gave way to others, when it has had a place for a while: at the picture's rim it may have one for a moment only. What an edit brings is shown at once, and so is what a first picture has room for.
+  const bool comes = firm && !opening && (history.hiddenForWantOfRoom() || (history.hidden() && chooser.winner().placement == PlacementKind::kInside));
   const bool waits = found && !showHidden && comes && !isWhole(chooser.winner().baseScreen, context.view) && !history.betterIsThere();
   if (!found || waits) {
     BaseLineTally tally = scopesOutOfSight(measured);
@@ -284,7 +286,7 @@ void Placer::State::placeOther(const Measured& measured, const View& view, doubl
   scopesInSight.clear();
   std::ranges::copy_if(measured.scopes, std::back_inserter(scopesInSight), [&](std::size_t scope) { return usable[scope] != 0; });
   History& history = past.histories[measured.parameter];
-  const OtherHandle handle{measured.parameter, parameters[measured.parameter], measured.annotation, scopesInSight, value, history, firm && !showHidden, foresight.nears()};
+  const OtherHandle handle{measured.parameter, parameters[measured.parameter], measured.annotation, scopesInSight, value, history, firm && !showHidden, foresight.nears(), showHidden};
   const OtherHandleContext context{view, occupied.padded(), occupied.landed(), scopes};
   PlacedHandle& placed = append(layout.others, spareHandles, measured.parameter);
   placed.parameter = measured.parameter;

@@ -34,6 +34,7 @@ struct Placer::State {
   std::vector<Measured> order;        ///< those with dimension lines, shortest first
   std::vector<Measured> others;       ///< those with other handles, in the order of their definition
   std::size_t editable = 0;           ///< how many of both can be edited; the other ones are measures
+  std::size_t mostLines = 0;          ///< more are not in a frame: one a scope of each parameter
   std::vector<ObjectPlane> objectPlanes;
 
   /// What is remembered of the frames before.
@@ -54,6 +55,7 @@ struct Placer::State {
   Past beforePlacing;                 ///< in a viewport that may be too small: what to go back to
   Outcome outcome;
   bool firm = false;                  ///< see ChoiceContext
+  bool opening = false;               ///< a first picture is placed, in rounds
   bool asksForRoom = false;           ///< see ChoiceContext
   struct Avoided {
     std::size_t rank = 0;

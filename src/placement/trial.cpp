@@ -12,9 +12,6 @@ namespace dimline {
 
 namespace {
 
-/// px. While all is shown, a line must still have a direction on screen.
-constexpr double kShowAllLengthPx = 1.5;
-
 enum class Clear { kYes, kNotYet, kNoRoom };
 
 /// How far out (px) a line must be pushed to be clear, by trial: in steps of kLabelPushStepPx as far as there is room, then halving the last one. 0 when it never is. `tryAt(px)` says what

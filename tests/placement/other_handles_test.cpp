@@ -307,6 +307,19 @@ TEST_CASE("where the default angle is small an arc has a greater radius, as long
   CHECK(radiusPx(0) == Approx(kArcMaxRadiusPx));
 }
 
+TEST_CASE("an arc seen nearly edge-on is shown on demand") {
+  FrontOfBox stage;
+  const Parameter parameter{.name = "Pitch", .title = "Pitch", .type = ParameterType::kAngle, .unit = Unit::kDegree, .max = 90};
+  const Annotation annotation = annotated(HandleType::kAngular, Orient::kRight, Slip::kNone);
+  Obb& box = stage.scene.scopes[0].box;
+  for (Vec3& axis : box.axes) axis = glm::rotate(glm::dmat4(1.0), 0.5 * kForeshortenedAngleRad, glm::dvec3(0, 1, 0)) * glm::dvec4(axis, 0);
+  PlacedHandle placed;
+  OtherHandle handle{0, parameter, annotation, stage.scopes, 30, stage.none};
+  CHECK(placeArc(handle, stage.context(), placed) == HiddenReason::kForeshortened);
+  handle.showAll = true;
+  CHECK_FALSE(placeArc(handle, stage.context(), placed));
+}
+
 TEST_CASE("an arc seen edge-on is not shown") {
   FrontOfBox stage;
   const Parameter parameter{.name = "Pitch", .title = "Pitch", .type = ParameterType::kAngle, .unit = Unit::kDegree, .max = 90};
