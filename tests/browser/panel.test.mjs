@@ -192,7 +192,10 @@ test("reloading keeps what was changed and forgets the camera, without a complai
   await ready(page);
   await settle(page);
   assert.equal(await valueOf(page, "Width"), 9);
-  assert.deepEqual(await call(page, "getCamera"), opening);
+  // It looks from where it did at first, from nearer by: the house is narrower.
+  const { eye, target } = await call(page, "getCamera");
+  for (const axis of [0, 1, 2]) assert.ok(eye[axis] - target[axis] > 0.8 * (opening.eye[axis] - opening.target[axis]));
+  assert.ok(Math.hypot(...eye.map((x, i) => x - target[i])) < Math.hypot(...opening.eye.map((x, i) => x - opening.target[i])));
   await page.click("#reset-all");
   await settle(page);
   assert.deepEqual(tab.complaints, []);
