@@ -1,5 +1,6 @@
 #include <catch2/catch.hpp>
 
+#include <array>
 #include <memory>
 
 #include "support/allocation_count.h"
@@ -595,4 +596,34 @@ TEST_CASE("a warmed-up frame allocates nothing") {
   for (std::size_t i = 0; i < all.size(); ++i) stage.placer.place(views[i], fields[i], stage.values, stage.layout);
   CHECK(allocationCount() == before);
   CHECK(stage.layout.lines.size() >= 4);
+}
+
+TEST_CASE("lines lie again where they lay in a picture that is recalled, whatever other scene was looked at since") {
+  ModelDefinition definition = boxWithDoor();
+  definition.parameters.resize(1);
+  definition.parameters[0].annotation = "@Handle(scope=Block, type=linear-contour, orient=up, slip=object)";
+  const auto blocks = std::make_shared<int>(5);
+  definition.build = [blocks](const Values&) {
+    const std::array<Obb, 5> all = {boxAt({0, 0, 0}, {1, 3, 1}), boxAt({5, 0, 1}, {1, 3, 1}), boxAt({6, 0, 5}, {1, 3, 1}), boxAt({2, 0, 8}, {1, 3, 1}), boxAt({-3, 0, 4}, {1, 3, 1})};
+    if (*blocks == 1) return sceneOf({{"Block", all[0]}});
+    return sceneOf({{"Block", all[0]}, {"Block", all[1]}, {"Block", all[2]}, {"Block", all[3]}, {"Block", all[4]}});
+  };
+  Stage stage(definition);
+  const auto turned = [](double azimuthDeg) { return orbitCamera({2, 1.5, 4}, 40, azimuthDeg, 25); };
+  for (int frame = 0; frame < 5; ++frame) stage.look(turned(frame));
+  const Placer::Memory memory = stage.placer.memory();
+  REQUIRE(stage.find("Width") != nullptr);
+  const Segment2 there = stage.find("Width")->lineScreen;
+
+  // Another scene, with fewer object planes, before a camera that turns; then back, by way of the memory.
+  *blocks = 1;
+  stage.rebuild();
+  for (int frame = 5; frame < 9; ++frame) stage.look(turned(frame));
+  *blocks = 5;
+  stage.rebuild();
+  stage.placer.recall(memory);
+  stage.look(turned(4));
+  REQUIRE(stage.find("Width") != nullptr);
+  CHECK(glm::length(stage.find("Width")->lineScreen.start - there.start) < 1e-9);
+  CHECK(glm::length(stage.find("Width")->lineScreen.end - there.end) < 1e-9);
 }
