@@ -116,10 +116,12 @@ bool Chooser::chooseBest(const Measured& measured, const ChoiceContext& context,
       if (candidate.lineScreen.start != triedAt.start) among = inPlace();
       if (trial_.lines().size() > 1) trial_.addMembers(among, context);
       trial_.pushClear(candidate, among, measured, context, history);
+      const double wish = among.score + forLabels(among);
+      if (beaten(wish)) continue;
       // The padded fields know nothing of lines inside the model.
-      if (among.landed.lines && !beaten(among.score + forLabels(among)) && context.occupied.landed().runsInto(candidate.lineScreen)) continue;
-      if (forLabels(among) > 0 && among.score + forLabels(among) > wishedScore_) {
-        wishedScore_ = among.score + forLabels(among);
+      if (among.landed.lines && context.occupied.landed().runsInto(candidate.lineScreen)) continue;
+      if (wish > among.score && wish > wishedScore_) {
+        wishedScore_ = wish;
         wishedLines_.assign(trial_.lines().begin(), trial_.lines().end());
       }
       if (beaten(among.score)) continue;
