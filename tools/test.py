@@ -23,7 +23,7 @@ import time
 import traceback
 import unittest
 from concurrent.futures import Future, ThreadPoolExecutor
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 
 import build
@@ -38,6 +38,7 @@ EXECUTABLE_LIMIT_S = 900
 SCRIPT_LIMIT_S = 600
 SCRIPTS_AT_ONCE = 2  # a page waits for frames half of its time; more at once would wait for each other
 HEAD_LINES, TAIL_LINES = 60, 60  # of a failure's output that are shown
+SUMMARY_LINES = 5  # tests of one file that the summary names
 
 
 @dataclass
@@ -49,6 +50,7 @@ class Result:
     failed: int = 0
     output: str = ""
     seconds: float = 0.0
+    failures: list = field(default_factory=list)  # the tests that failed, by name, and of what where that is known
 
 
 def describe(result: Result) -> str:
@@ -64,6 +66,14 @@ def describe(result: Result) -> str:
             lines[HEAD_LINES:-TAIL_LINES] = [f"({left_out} lines left out)"]
         text += "".join("\n    | " + line for line in lines)
     return text
+
+
+def summary(part: str, result: Result) -> list:
+    """What the last lines of a run say of a failure, for whoever sees no more than those."""
+    shown = result.failures[:SUMMARY_LINES]
+    if len(result.failures) > len(shown):
+        shown.append(f"and {len(result.failures) - len(shown)} more")
+    return [f"FAILED in {part}: {result.name} ({result.failed})", *(f"    {line}" for line in shown)]
 
 
 def failure(name: str, reason: str) -> Result:
@@ -146,8 +156,10 @@ def count_cases(name: str, log: str, status: int, output: str) -> Result:
         elif kind == "pass":
             result.passed, running = result.passed + 1, None
         elif kind == "fail":
+            result.failures.append(running)
             result.failed, running = result.failed + 1, None
     if running is not None:
+        result.failures.append(f"{running}: it crashed")
         result.failed += 1
         result.output += f'\ncrashed in the case "{running}" (exit status {status})'
     return settle(result, status)
@@ -196,11 +208,13 @@ def count_tests(name: str, log: str, status: int, output: str) -> Result:
             continue  # node's stand-in for a file without tests
         if entry["left"]:
             result.failed += 1
+            result.failures.append(f'{entry["name"]}: not run')
             result.output += f'\nnot run: "{entry["name"]}"'
         elif entry["passed"]:
             result.passed += 1
         else:
             result.failed += 1
+            result.failures.append(f'{entry["name"]}: {entry["why"]}')
     return settle(result, status)
 
 
@@ -262,8 +276,10 @@ def tools_part(match: str):
         start, stream = time.monotonic(), io.StringIO()
         suite = unittest.TestLoader().discover(str(file.parent), pattern=file.name)
         outcome = unittest.TextTestRunner(stream=stream, verbosity=1).run(suite)
-        failed = len(outcome.failures) + len(outcome.errors) + len(outcome.skipped) + len(outcome.unexpectedSuccesses)
-        result = Result(file.name, passed=max(0, outcome.testsRun - failed), failed=failed, output=stream.getvalue())
+        failures = [case.id() for case, _ in outcome.failures + outcome.errors + outcome.skipped]
+        failures += [case.id() for case in outcome.unexpectedSuccesses]
+        result = Result(file.name, passed=max(0, outcome.testsRun - len(failures)), failed=len(failures), output=stream.getvalue(),
+                        failures=failures)
         result.seconds = time.monotonic() - start
         yield settle(result, 0)
 
@@ -343,7 +359,7 @@ def main() -> int:
     for name, part in PARTS.items():
         if name in options.only:
             of_part = run_part(name, part, options.match)
-            failures += [f"FAILED in {name}: {result.name} ({result.failed})" for result in of_part if result.failed]
+            failures += [line for result in of_part if result.failed for line in summary(name, result)]
             results += of_part
 
     print(f"in {time.monotonic() - start:.0f} s", *failures, sep="\n")

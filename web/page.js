@@ -92,12 +92,20 @@ function showValues(live) {
   const parameters = editor.getParameters();
   panel.show(parameters, live);
   panel.showMeasures(editor.getMeasures());
-  if (!live) panel.markIdle(withoutScope());
+  if (!live) markIdle();
   byId("reset-all").disabled = parameters.every((p) => p.value === p.default);
   showHistory();
 }
 
-const withoutScope = () => editor.layout().hidden.filter(({ reason }) => reason === "no-scope").map(({ parameter }) => parameter);
+// Where the fields come from a graphics card, the lines of this frame may be those of the last: it is looked again when all is at rest.
+function markIdle() {
+  const mark = () => {
+    const idle = editor.layout().hidden.filter(({ reason }) => reason === "no-scope");
+    panel.markIdle(idle.map(({ parameter }) => parameter));
+  };
+  mark();
+  editor.settled().then(mark, () => {});
+}
 
 function showProjection() {
   const { orthographic } = editor;

@@ -27,6 +27,12 @@ class NativeCounts(unittest.TestCase):
     def test_one_fails(self):
         self.assertEqual(self.count("begin a\nfail\nbegin b\npass\n", status=1)[:2], (1, 1))
 
+    def test_the_summary_names_what_failed(self):
+        log = "".join(f"begin {name}\nfail\n" for name in "abcdefg") + "begin h\n"
+        result = test.count_cases("test_math", log, -11, "")
+        self.assertEqual(test.summary("native", result),
+                         ["FAILED in native: test_math (8)", *(f"    {name}" for name in "abcde"), "    and 3 more"])
+
     def test_no_case_is_a_failure(self):
         passed, failed, output = self.count("")
         self.assertEqual((passed, failed), (0, 1))
@@ -49,7 +55,7 @@ class ScriptCounts(unittest.TestCase):
     def test_counts(self):
         entry = {"name": "x", "passed": True, "left": False}
         self.assertEqual(self.count([entry, entry]), (2, 0))
-        self.assertEqual(self.count([entry, dict(entry, passed=False)], status=1), (1, 1))
+        self.assertEqual(self.count([entry, dict(entry, passed=False, why="1 is not 2")], status=1), (1, 1))
 
     def test_a_skipped_test_is_a_failure(self):
         self.assertEqual(self.count([{"name": "x", "passed": True, "left": True}]), (0, 1))
@@ -58,7 +64,7 @@ class ScriptCounts(unittest.TestCase):
         self.assertEqual(self.count([{"name": "/some/where/a.test.mjs", "passed": True, "left": False}]), (0, 1))
 
     def test_a_file_that_does_not_load_is_one_failure(self):
-        self.assertEqual(self.count([{"name": "/some/where/a.test.mjs", "passed": False, "left": False}], status=1), (0, 1))
+        self.assertEqual(self.count([{"name": "/some/where/a.test.mjs", "passed": False, "left": False, "why": "x"}], status=1), (0, 1))
 
 
 class RealNode(unittest.TestCase):
@@ -68,8 +74,8 @@ class RealNode(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             file = Path(folder) / "x.test.mjs"
             file.write_text("import { test, describe, it } from 'node:test';\n" + text)
-            result = test.run_script(file, dict(os.environ))
-        return result.passed, result.failed
+            self.result = test.run_script(file, dict(os.environ))
+        return self.result.passed, self.result.failed
 
     def test_tests_and_suites(self):
         self.assertEqual(self.run_text("test('a', () => {}); describe('s', () => { it('b', () => {}); });"), (2, 0))
@@ -77,6 +83,11 @@ class RealNode(unittest.TestCase):
     def test_failures(self):
         self.assertEqual(self.run_text("describe('s', () => { it('b', () => { throw new Error('x'); }); it('c', () => {}); });"),
                          (1, 1))
+        self.assertEqual(self.result.failures, ["b: x"])
+
+    def test_what_failed_is_told_in_one_line(self):
+        self.run_text("test('a', () => { throw new Error('too few\\nlines'); });")
+        self.assertEqual(test.summary("browser", self.result), [f"FAILED in browser: {self.result.name} (1)", "    a: too few lines"])
 
     def test_skipped(self):
         self.assertEqual(self.run_text("test('a', () => {}); test('b', { skip: true }, () => {});"), (1, 1))

@@ -121,7 +121,12 @@ function awaited(page, name) {
   );
 }
 export const settle = (page) => awaited(page, "settled");
-export const ready = (page) => awaited(page, "ready");
+
+/** Until the first frame is drawn and, where there is one, the panel is built, which comes a moment later. */
+export async function ready(page) {
+  await awaited(page, "ready");
+  if ((await page.locator("#panel").count()) > 0) await page.locator('#panel[data-state="ready"]').waitFor({ state: "attached" });
+}
 
 /** Shows another built-in model, and waits until it rests. */
 export async function showModel(page, model) {
