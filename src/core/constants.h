@@ -162,6 +162,12 @@ inline constexpr double kBriefZoom = 0.7;
 inline constexpr std::size_t kLooksAtLastMoments = 1;
 inline constexpr std::size_t kLooksAtLastMomentsInside = 2;
 inline constexpr std::size_t kLooksAtLastMomentsCut = 4;
+/// What it costs a place to measure a scope that is going out of sight: too little of it is seen already, and only kFramesToLoseSight keep it. As much as what is lost at once while the camera comes nearer. Less:
+/// near a wall that is passed by, lines go from one window to the next as each is hidden.
+inline constexpr double kScoreFadingScope = -30.0 * kHandleSpacingPx;
+/// Moved frames for which one line stands for a chain that had no room, while the camera comes nearer or goes away; otherwise kReturnFrames. Fewer: the chain comes back where there is just room for it, and goes to
+/// a better side soon after. More: it is still missing where it would be tidy.
+inline constexpr int kSingleStaysZooming = 50;
 /// What it costs, as a share of a lost place, that the faces which meet in a base line turn away from the viewer, each by this (sine of the angle): what stands on them is hidden soon, but not in
 /// a model that can be seen through. More: lines go far, or across extension lines, to stay with what is in view.
 inline constexpr double kTurnedAwayShare = 0.5;

@@ -100,6 +100,11 @@ bool placeAt(Candidate& candidate, const Slide& slide, double offsetM, const Vie
   return true;
 }
 
+/// Whether a scope is going out of sight, so that no line is begun on it where there is another.
+bool isFading(const CandidateContext& context, std::size_t scope) {
+  return context.annotation.occlusion && !context.showAll && !context.sights[scope].plain();
+}
+
 /// Scores the placed candidate and keeps it.
 void keep(const CandidateContext& context, const UsableBaseLine& base, Candidate& candidate, std::vector<Candidate>& candidates) {
   // Before a still camera it is the place itself that is looked for: the same identity may have others, on guides.
@@ -115,11 +120,14 @@ void keep(const CandidateContext& context, const UsableBaseLine& base, Candidate
                     candidate.hysteresis;
   const Identity& identity = candidate.identity;
   if (identity != context.history.last()) {
+    const bool chain = base.cluster >= 0;
     const Foresight::Prospect prospect =
-        context.foresight.prospect({base.line, context.annotation.slip, candidate.plane, identity.direction, candidate.offsetM, candidate.line});
+        context.foresight.prospect({base.line, context.annotation.slip, candidate.plane, identity.direction, candidate.offsetM, candidate.line,
+                                    chain ? 0.0 : context.leastPx, chain ? Vec2(0.0) : context.textSize});
     // No place is begun for its last moments, and a line inside the model does not come out for a moment.
     if (prospect.lastMoments || (prospect.brief && (context.history.wasInside() || (context.lasting && context.foresight.zooms())))) return;
     candidate.score += prospect.price;
+    if (!chain && isFading(context, candidate.scope)) candidate.score += kScoreFadingScope;
   }
   candidates.push_back(candidate);
 }
@@ -249,7 +257,7 @@ void gatherInsideCandidate(const CandidateContext& context, const UsableBaseLine
   Candidate candidate;
   candidate.identity = {.parameter = context.history.last().parameter, .scopeIndex = base.scopeIndex, .baseLine = static_cast<std::int16_t>(base.line.number)};
   const bool stays = candidate.identity == context.history.last();
-  const Foresight::Prospect prospect = context.foresight.prospectInside(base.line.segment, isWhole(base.screen, context.view));
+  const Foresight::Prospect prospect = context.foresight.prospectInside(base.line.segment, isWhole(base.screen, context.view), context.leastPx);
   // The one that is shown stays to the last.
   if (prospect.lastMoments && !stays && !context.showAll) return;
   candidate.scope = base.scope;
@@ -261,6 +269,7 @@ void gatherInsideCandidate(const CandidateContext& context, const UsableBaseLine
   candidate.score = scoreInside(base.screen, middleScreen, context.annotation.align) + context.history.bonus(candidate.identity);
   candidate.score += prospect.price;
   if (turnedAway(base.line, context.view, stays ? kBehindScopeSin : 0.0)) candidate.score += kScoreBehindScope;
+  if (!stays && isFading(context, candidate.scope)) candidate.score += kScoreFadingScope;
   candidates.push_back(candidate);
 }
 

@@ -5,6 +5,7 @@
 #include "model/annotation.h"
 #include "placement/foresight.h"
 #include "placement/guides.h"
+#include "placement/visibility.h"
 #include "placement/history.h"
 #include "placement/layout.h"
 #include "placement/slip_planes.h"
@@ -72,7 +73,9 @@ struct CandidateContext {
   const Identity* only = nullptr;      ///< the one candidate that is looked for; null: all are
   const Identity* avoid = nullptr;     ///< a candidate that is left out
   bool lasting = false;                ///< while the camera comes nearer or goes away, new places that it takes away soon are left out
-  bool showAll = false;                ///< a line that is shown for its last moments is better than none
+  bool showAll = false;                ///< a line that is shown for its last moments, or of a scope that nobody sees, is better than none
+  std::span<const Sight> sights = {};  ///< one a scope: how much of it is seen
+  Vec2 textSize{0.0};                  ///< px, of a line's label
 };
 
 /// The least length on screen at which a line of this annotation is shown.

@@ -8,6 +8,13 @@
 
 namespace dimline {
 
+namespace {
+
+/// Moved frames for which one line stands for a chain that had no room.
+int framesForSingle(const ChoiceContext& context) { return context.foresight.zooms() ? kSingleStaysZooming : kReturnFrames; }
+
+}  // namespace
+
 bool Chooser::choose(const Measured& measured, const ChoiceContext& context, const History& history) {
   cramped_ = false;
   wishedLines_.clear();
@@ -20,7 +27,7 @@ bool Chooser::choose(const Measured& measured, const ChoiceContext& context, con
   if (!gatherBases(measured, context, factor, enough)) return false;
   const CandidateContext candidates{measured.annotation, context.view, context.occupied.padded(), context.occupied.paddedModel(), context.occupied.guides(),
                                     context.objectPlanes, context.viewMoved, history, context.toleranceM, slipPlanes_, context.foresight,
-                                    factor * leastLengthPx(measured.annotation), nullptr, context.avoid, false, context.showAll};
+                                    factor * leastLengthPx(measured.annotation), nullptr, context.avoid, false, context.showAll, context.sights, measured.textSize};
   if (context.firm && chooseAgain(measured, candidates, context)) return true;
   chainBases_.clear();
   for (std::size_t i = 0; i < measured.clusters.size(); ++i) {
@@ -28,7 +35,7 @@ bool Chooser::choose(const Measured& measured, const ChoiceContext& context, con
   }
   // A chain that has no room as a whole, or passes behind the viewer, may leave room for one of its base lines; that stays for a while before the chain is
   // looked at again.
-  const bool singleStays = chained && history.last().chain < 0 && history.last().plane >= 0 && history.framesHeld() < kReturnFrames;
+  const bool singleStays = chained && history.last().chain < 0 && history.last().plane >= 0 && history.framesHeld() < framesForSingle(context);
   const auto chooseSingle = [&] {
     if (chained) gatherBases(measured, context, factor, Enough::kAll);
     return chooseOutside(bases_, measured, candidates, context);
@@ -64,7 +71,7 @@ bool Chooser::chooseAgain(const Measured& measured, const CandidateContext& cand
     gatherChainBaseLines(measured.clusters[static_cast<std::size_t>(last.chain)], last.chain, context.view, chainBases_);
   } else if (!measured.clusters.empty()) {
     // It stood for its chain long enough.
-    if (candidates.history.framesHeld() >= kReturnFrames) return false;
+    if (candidates.history.framesHeld() >= framesForSingle(context)) return false;
     gatherBases(measured, context, thresholdFactor(measured, context), Enough::kAll);
   }
   CandidateContext again = candidates;

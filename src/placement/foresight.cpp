@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "placement/labels.h"
 #include "placement/on_screen.h"
 
 namespace dimline {
@@ -21,6 +22,13 @@ Mat3 axes(const View& view) { return {view.right(), view.up(), view.forward()}; 
 double zoomBetween(const Camera& before, const Camera& now) {
   if (now.orthoHeightM && before.orthoHeightM) return *now.orthoHeightM / *before.orthoHeightM;
   return glm::length(now.eye - now.target) / glm::length(before.eye - before.target);
+}
+
+/// Whether a base line is in the picture, and no shorter there than `leastPx`.
+bool canBeUsed(const Segment& base, const View& view, double leastPx) {
+  if (!view.inFrontOfNear(base.start) || !view.inFrontOfNear(base.end)) return false;
+  const Segment2 screen = view.toScreen(base);
+  return meets(screen, view.viewport()) && screen.length() >= leastPx;
 }
 
 /// The camera's movement from one view to the next, to be gone on with.
@@ -104,19 +112,22 @@ std::size_t Foresight::firstLook(Lost lost) const {
 
 Foresight::Prospect Foresight::prospect(const Place& place) {
   if (lookCount_ == 0) return {.price = turnedAway(place.base, now_, kTurnedAwaySin) ? kScoreSoonGone * kTurnedAwayShare : 0.0};
-  const std::size_t lost = firstLook([&](const Look& look) { return !lastsUntil(look, place); });
+  const std::size_t cramped = firstLook([&](const Look& look) { return !hasRoom(look, place); });
+  const std::size_t lost = place.leastPx > 0 ? std::min(cramped, firstLook([&](const Look& look) { return !canBeUsed(place.base.segment, look.view, place.leastPx); })) : cramped;
   const std::size_t turned = firstLook([&](const Look& look) { return turnedAway(place.base, look.view, kTurnedAwaySin); });
   return {.price = lossPrice_ * std::max(shareLeft(lost), kTurnedAwayShare * shareLeft(turned)),
-          .brief = std::min(lost, turned) < briefCount_,
-          .lastMoments = zooms() && lost < kLooksAtLastMoments};
+          .brief = std::min(cramped, turned) < briefCount_,
+          .lastMoments = zooms() && cramped < kLooksAtLastMoments};
 }
 
-/// Whether the plane has room for the line then, within the viewport. handleSpacing is less in the world when the camera has come nearer, so the line will lie nearer to the model by that.
-bool Foresight::lastsUntil(const Look& look, const Place& place) {
+/// Whether the plane has room for the line then, and the viewport for it and its label. handleSpacing is less in the world when the camera has come nearer, so the line will lie nearer to the model by that.
+bool Foresight::hasRoom(const Look& look, const Place& place) {
   const Vec3 middle = place.line.middle();
   const double nearerM = std::clamp((now_.metresPerPixelAt(middle) - look.view.metresPerPixelAt(middle)) * kHandleSpacingPx, 0.0, place.offsetM);
   const Vec3 move = place.plane.across * (-place.direction * nearerM);
-  if (!onScreen(Segment{place.line.start + move, place.line.end + move}, look.view)) return false;
+  const auto screen = onScreen(Segment{place.line.start + move, place.line.end + move}, look.view);
+  if (!screen) return false;
+  if (place.textSize.x > 0 && !labelFits(*screen, place.textSize, screen->middle() - look.view.toScreen(place.base.segment.middle()), look.view.viewport())) return false;
   slipPlanes(place.base, place.slip, look.view, {objectPlanes_, look.objectUses, toleranceM_}, planes_);
   const auto then = std::ranges::find(planes_, place.plane.number, &SlipPlane::number);
   if (then == planes_.end()) return false;
@@ -124,12 +135,11 @@ bool Foresight::lastsUntil(const Look& look, const Place& place) {
   return then->lowM <= offsetM && offsetM <= then->highM;
 }
 
-Foresight::Prospect Foresight::prospectInside(const Segment& base, bool whole) const {
-  const std::size_t lost = firstLook([&](const Look& look) {
-    return !look.view.inFrontOfNear(base.start) || !look.view.inFrontOfNear(base.end) || !meets(look.view.toScreen(base), look.view.viewport());
-  });
+Foresight::Prospect Foresight::prospectInside(const Segment& base, bool whole, double leastPx) const {
+  const std::size_t left = firstLook([&](const Look& look) { return !canBeUsed(base, look.view, 0); });
+  const std::size_t lost = std::min(left, firstLook([&](const Look& look) { return !canBeUsed(base, look.view, leastPx); }));
   return {.price = lossPrice_ * shareLeft(lost),
-          .lastMoments = zooms() && lost < (whole ? kLooksAtLastMomentsInside : kLooksAtLastMomentsCut)};
+          .lastMoments = zooms() && left < (whole ? kLooksAtLastMomentsInside : kLooksAtLastMomentsCut)};
 }
 
 }  // namespace dimline

@@ -10,6 +10,7 @@ namespace dimline {
 
 /// Which places the movement of the camera is about to take away. A plane that is turning edge-on is left out soon (paper 4.4), and so is the part of an object plane that a
 /// neighbour is about to cut off; what the camera comes nearer to leaves the viewport; and a feature that turns away is soon hidden. A line that goes there has to move again at once.
+/// So are things that grow too small to be measured as the camera goes away.
 /// So whoever needs a new place asks what the movement will do to it when it goes on for a while as it does now. Beyond the paper, which judges each frame by itself.
 class Foresight {
  public:
@@ -21,6 +22,8 @@ class Foresight {
     int direction;          ///< +1 or -1
     double offsetM;
     const Segment& line;    ///< the final line
+    double leastPx = 0;     ///< px, length of the shortest line that is shown; 0 for a chain, which is longer than its members
+    Vec2 textSize{0.0};     ///< px, of its label; zero for a chain, whose members need not have one each
   };
 
   /// A frame begins. `before`: the view of the last frame, if there is one that this one follows from; when it is the same one, before a still camera, the movement is
@@ -29,8 +32,8 @@ class Foresight {
   /// What the movement will do to a place.
   struct Prospect {
     double price = 0;          ///< px, to be added to the place's score
-    bool brief = false;        ///< outside the model: it is lost before the view has turned by kForesightRad or zoomed by kBriefZoom
-    bool lastMoments = false;  ///< while the camera comes nearer or goes away: it is lost so soon that it is not worth being begun (kLooksAtLastMoments)
+    bool brief = false;        ///< outside the model: it has no room any more before the view has turned by kForesightRad or zoomed by kBriefZoom
+    bool lastMoments = false;  ///< while the camera comes nearer or goes away: there is room for it so briefly that it is not worth being begun (kLooksAtLastMoments)
   };
   /// Whether the camera comes nearer or goes away.
   [[nodiscard]] bool zooms() const { return lookCount_ > 0 && zooms_; }
@@ -40,8 +43,8 @@ class Foresight {
   /// later. A feature that turns away from the viewer costs kTurnedAwayShare of that, and so does one that is turned
   /// away when no movement is thought to go on. More of all when the camera comes nearer or goes away.
   [[nodiscard]] Prospect prospect(const Place& place);
-  /// Of a base line inside the model, which is lost when nothing of it is left in the viewport. `whole`: both ends are in the picture now.
-  [[nodiscard]] Prospect prospectInside(const Segment& base, bool whole) const;
+  /// Of a base line inside the model, which is lost when nothing of it is left in the viewport or it is shorter there than `leastPx`. `whole`: both ends are in the picture now.
+  [[nodiscard]] Prospect prospectInside(const Segment& base, bool whole, double leastPx) const;
 
  private:
   /// A view of the movement gone on with.
@@ -49,7 +52,7 @@ class Foresight {
     View view;
     std::vector<ObjectPlaneUse> objectUses;
   };
-  [[nodiscard]] bool lastsUntil(const Look& look, const Place& place);
+  [[nodiscard]] bool hasRoom(const Look& look, const Place& place);
   template <typename Lost>
   [[nodiscard]] std::size_t firstLook(Lost lost) const;
   /// 1 for what is lost at the first look, in equal steps less for later ones, 0 for what is not.

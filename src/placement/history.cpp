@@ -34,7 +34,7 @@ double History::relaxedOffsetM(double leastM, double stepM) const {
 
 void History::age() {
   aged_ = true;
-  framesHeld_ = std::min(framesHeld_ + 1, kReturnFrames);
+  framesHeld_ = std::min(framesHeld_ + 1, std::max(kReturnFrames, kSingleStaysZooming));
   betterFrames_ = betterThere_ ? std::min(betterFrames_ + 1, kReturnFrames) : 0;
   betterThere_ = false;
   for (Left& left : left_) left.framesAgo = std::min(left.framesAgo + 1, kReturnFrames);

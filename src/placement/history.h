@@ -74,7 +74,7 @@ class History {
   /// Whether what is shown now is shown anew: nothing was in the last frame or, before a still camera, in the one before the camera stood still.
   [[nodiscard]] bool shownAnew() const { return hidden_ || (wasHidden_ && !aged_); }
   [[nodiscard]] bool hiddenForWantOfRoom() const { return forWantOfRoom_; }
-  /// Moved frames since the last frame's choice was made for the first time, or since it was preferred to another; counts to kReturnFrames.
+  /// Moved frames since the last frame's choice was made for the first time, or since it was preferred to another; counts to kSingleStaysZooming.
   [[nodiscard]] int framesHeld() const { return framesHeld_; }
 
  private:

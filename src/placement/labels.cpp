@@ -43,24 +43,65 @@ constexpr auto kOrder = [] {
   return order;
 }();
 
-/// The places of a label on one line.
+/// The places of a label on one line, were nothing else in the picture.
 class Places {
  public:
-  /// `line`: the part of it that is in the picture.
-  Places(const LabelRequest& request, const Segment2& line, const Landed& landed, const Box2& viewport)
-      : request_(request), line_(line), landed_(landed), allowed_(viewport.grown(-kViewportMarginPx)), length_(line.length()),
-        direction_(length_ > 0 ? (line.end - line.start) / length_ : Vec2(1, 0)), normal_(-direction_.y, direction_.x),
-        room_(0.5 * (length_ - interruptedLengthPx(request.textSize, direction_)) - kArrowLengthPx - kLabelPaddingPx) {
-    if (glm::dot(normal_, request.outward) < 0) normal_ = -normal_;
+  /// `whole`: the line, px; `seen`: the part of it that is in the picture. `outward`: px, which of its sides is away from the model; zero inside.
+  Places(const Segment2& whole, const Segment2& seen, const Vec2& textSize, const Vec2& outward, const Box2& viewport)
+      : whole_(whole), seen_(seen), textSize_(textSize), allowed_(viewport.grown(-kViewportMarginPx)), length_(seen.length()),
+        direction_(length_ > 0 ? (seen.end - seen.start) / length_ : Vec2(1, 0)), normal_(-direction_.y, direction_.x),
+        room_(0.5 * (length_ - interruptedLengthPx(textSize, direction_)) - kArrowLengthPx - kLabelPaddingPx) {
+    if (glm::dot(normal_, outward) < 0) normal_ = -normal_;
   }
 
+  /// The label there; nothing when it leaves the viewport's margin, or the line is too short for it to ride on.
+  [[nodiscard]] std::optional<Box2> at(const LabelPlace& place) const {
+    if (place.side == LabelPlace::Side::kOnLine && room_ < 0) return std::nullopt;
+    const Box2 box = Box2::around(center(place), textSize_);
+    return allowed_.contains(box) ? std::optional(box) : std::nullopt;
+  }
+
+ private:
+  [[nodiscard]] Vec2 center(const LabelPlace& place) const {
+    const Vec2 half = textSize_ * 0.5;
+    const double beyond = reach(half, direction_) + kArrowHalfWidthPx + kLabelPaddingPx;
+    const double beside = halfExtent(half, normal_) + kArrowHalfWidthPx + kLabelPaddingPx;
+    const double share = static_cast<double>(place.eighth) / kEighths;
+    switch (place.side) {
+      case LabelPlace::Side::kOnLine: break;
+      case LabelPlace::Side::kBeyondEnd: return whole_.end + direction_ * beyond;
+      case LabelPlace::Side::kBeyondStart: return whole_.start - direction_ * beyond;
+      case LabelPlace::Side::kOutward: return seen_.middle() + direction_ * (share * 0.5 * length_) + normal_ * beside;
+      case LabelPlace::Side::kInward: return seen_.middle() + direction_ * (share * 0.5 * length_) - normal_ * beside;
+    }
+    return seen_.middle() + direction_ * (share * room_);
+  }
+
+  Segment2 whole_;
+  Segment2 seen_;
+  Vec2 textSize_;
+  Box2 allowed_;
+  double length_;
+  Vec2 direction_;
+  Vec2 normal_;      ///< away from the model
+  double room_;      ///< px, from the line's middle to the last place of a label that rides on it
+};
+
+/// Those of them that what else there is leaves free.
+class FreePlaces {
+ public:
+  /// `seen`: the part of the line that is in the picture.
+  FreePlaces(const LabelRequest& request, const Segment2& seen, const Landed& landed, const Box2& viewport)
+      : request_(request), places_(request.line, seen, request.textSize, request.outward, viewport), landed_(landed) {}
+
   [[nodiscard]] std::optional<LabelFound> tryAt(const LabelPlace& place) const {
-    if (!exists(place)) return std::nullopt;
-    const Box2 box = Box2::around(center(place), request_.textSize);
-    if (!allowed_.contains(box)) return std::nullopt;
-    if (!fellowsLeaveRoom(box) || !landed_.hasRoom(box, place.overExtensions)) return std::nullopt;
-    if (request_.model != nullptr && !clears(*request_.model, box.grown(kLabelClearancePx))) return std::nullopt;
-    return LabelFound{box, place};
+    // Beyond the ends of a chain's member lie others.
+    const bool beyond = place.side == LabelPlace::Side::kBeyondEnd || place.side == LabelPlace::Side::kBeyondStart;
+    if (beyond && request_.fellows.size() > 1) return std::nullopt;
+    const auto box = places_.at(place);
+    if (!box || !fellowsLeaveRoom(*box) || !landed_.hasRoom(*box, place.overExtensions)) return std::nullopt;
+    if (request_.model != nullptr && !clears(*request_.model, box->grown(kLabelClearancePx))) return std::nullopt;
+    return LabelFound{*box, place};
   }
 
  private:
@@ -70,34 +111,10 @@ class Places {
     return std::ranges::none_of(request_.fellows, [&](const Segment2& line) { return meets(line, grown) && !isOwn(line); }) &&
            std::ranges::none_of(request_.fellowLabels, [&](const Box2& other) { return grown.overlaps(other); });
   }
-  [[nodiscard]] bool exists(const LabelPlace& place) const {
-    if (place.side == LabelPlace::Side::kOnLine) return room_ >= 0;
-    // Beyond the ends of a chain's member lie others.
-    return request_.fellows.size() < 2 || (place.side != LabelPlace::Side::kBeyondEnd && place.side != LabelPlace::Side::kBeyondStart);
-  }
-  [[nodiscard]] Vec2 center(const LabelPlace& place) const {
-    const Vec2 half = request_.textSize * 0.5;
-    const double beyond = reach(half, direction_) + kArrowHalfWidthPx + kLabelPaddingPx;
-    const double beside = halfExtent(half, normal_) + kArrowHalfWidthPx + kLabelPaddingPx;
-    const double share = static_cast<double>(place.eighth) / kEighths;
-    switch (place.side) {
-      case LabelPlace::Side::kOnLine: break;
-      case LabelPlace::Side::kBeyondEnd: return request_.line.end + direction_ * beyond;
-      case LabelPlace::Side::kBeyondStart: return request_.line.start - direction_ * beyond;
-      case LabelPlace::Side::kOutward: return line_.middle() + direction_ * (share * 0.5 * length_) + normal_ * beside;
-      case LabelPlace::Side::kInward: return line_.middle() + direction_ * (share * 0.5 * length_) - normal_ * beside;
-    }
-    return line_.middle() + direction_ * (share * room_);
-  }
 
   const LabelRequest& request_;
-  Segment2 line_;
+  Places places_;
   const Landed& landed_;
-  Box2 allowed_;
-  double length_;
-  Vec2 direction_;
-  Vec2 normal_;      ///< away from the model
-  double room_;      ///< px, from the line's middle to the last place of a label that rides on it
 };
 
 }  // namespace
@@ -106,11 +123,16 @@ double interruptedLengthPx(const Vec2& textSize, const Vec2& lineDirection) {
   return 2.0 * (reach(textSize * 0.5, lineDirection) + kLabelPaddingPx);
 }
 
+bool labelFits(const Segment2& line, const Vec2& textSize, const Vec2& outward, const Box2& viewport) {
+  const Places places(line, line, textSize, outward, viewport);
+  return std::ranges::any_of(kOrder, [&](const LabelPlace& place) { return place.side != LabelPlace::Side::kInward && places.at(place); });
+}
+
 std::optional<LabelFound> placeLabel(const LabelRequest& request, const Landed& landed, const Box2& viewport) {
   // A line inside the model may run out of the picture; its label stays with the part that is seen.
   const auto visible = clipped(request.line, viewport.grown(-kViewportMarginPx));
   if (!visible) return std::nullopt;
-  const Places places(request, *visible, landed, viewport);
+  const FreePlaces places(request, *visible, landed, viewport);
   const bool mayLeave = request.last && request.last->mayLeave;
   const std::optional<LabelPlace> last = request.last ? request.last->place : std::nullopt;
   const bool wasLeftOut = request.last && !last;

@@ -37,6 +37,9 @@ struct LabelFound {
 /// line as little as it must; one that may leave does so only for a place that leaves room for what is ahead. Nothing when there is no place.
 std::optional<LabelFound> placeLabel(const LabelRequest& request, const Landed& landed, const Box2& viewport);
 
+/// Whether the label of a line that is in the viewport would have room there, were nothing else in the picture: on the line, beyond one of its ends, or beside it on the side that `outward` (px, a direction) leads to.
+bool labelFits(const Segment2& line, const Vec2& textSize, const Vec2& outward, const Box2& viewport);
+
 /// Length (px) of a line that its label covers when it rides on it.
 double interruptedLengthPx(const Vec2& textSize, const Vec2& lineDirection);
 

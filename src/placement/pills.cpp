@@ -147,6 +147,16 @@ double scoreOutside(const OtherHandle& handle, const OtherHandleContext& context
          handle.history.bonus(place.identity) + (crossings.labels ? kScoreCoversLabel : 0.0);
 }
 
+/// Whether a box outside is still in the viewport when the picture has grown by kBriefZoom about its middle.
+bool lastsNearing(const Box2& box, const View& view) {
+  return onScreen(shifted(box, (box.center() - view.viewport().center()) * std::expm1(kBriefZoom)), view);
+}
+
+/// Whether a place outside is another than the last frame's, and would be lost soon because the camera comes nearer.
+bool isBrief(const OtherHandle& handle, const OtherHandleContext& context, const PillPlace& outside) {
+  return handle.firm && handle.nearing && handle.history.any() && outside.identity != handle.history.last() && !lastsNearing(outside.box, context.view);
+}
+
 /// Whether a place outside is taken, or waited for, whatever there is inside.
 bool comesAnyway(const OtherHandle& handle, const PillPlace& outside) { return !handle.history.wasInside() && !handle.history.leftLately(outside.identity); }
 
@@ -212,6 +222,7 @@ std::optional<HiddenReason> placePill(const OtherHandle& handle, const OtherHand
     }
   };
   std::optional<PillPlace> outside;
+  std::optional<PillPlace> brief;   // outside too, but worse than any inside
   forEachAnchor([&](std::size_t scope, const Vec2& anchor, const Box2& atAnchor) {
     if (handle.annotation.slip == Slip::kNone) return;
     for (int way = 0; way < kPillWays; ++way) {
@@ -219,7 +230,7 @@ std::optional<HiddenReason> placePill(const OtherHandle& handle, const OtherHand
       if (!box) continue;
       PillPlace place{scope, anchor, *box, identityOf(handle, context.scopes[scope], way)};
       place.score = scoreOutside(handle, context, place);
-      offer(place, outside);
+      offer(place, isBrief(handle, context, place) ? brief : outside);
     }
   });
   std::optional<PillPlace> inside;
@@ -231,7 +242,7 @@ std::optional<HiddenReason> placePill(const OtherHandle& handle, const OtherHand
       offer({scope, anchor, *box, identity, handle.history.bonus(identity) - glm::length(box->center() - anchor)}, inside);
     });
   }
-  const auto place = choose(handle, inside, outside);
+  const auto place = choose(handle, inside, outside || inside ? outside : brief);
   if (!place) return anchored ? HiddenReason::kCrowded : HiddenReason::kOutOfView;
   placed.scope = place->scope;
   placed.anchor = place->anchor;

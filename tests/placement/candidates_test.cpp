@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 
@@ -45,6 +46,7 @@ std::optional<double> depthAbove(int coveredFromPx, const Camera& camera) {
   const History history(0);
   std::vector<SlipPlane> planes;
   Foresight foresight;
+  const Sight sight;
   std::vector<Candidate> candidates;
   gatherOutsideCandidates({.annotation = annotation,
                            .view = view,
@@ -54,7 +56,8 @@ std::optional<double> depthAbove(int coveredFromPx, const Camera& camera) {
                            .objectPlanes = {},
                            .history = history,
                            .planes = planes,
-                           .foresight = foresight},
+                           .foresight = foresight,
+                           .sights = {&sight, 1}},
                           base, candidates);
   REQUIRE(candidates.size() <= 1);
   return candidates.empty() ? std::nullopt : std::optional(view.depth(candidates.front().line.middle()));
@@ -114,4 +117,52 @@ TEST_CASE("a line lies no further behind its base line than perspective still sh
   orthographic.orthoHeightM = 40;
   REQUIRE(depthAbove(200, orthographic).has_value());
   CHECK(*depthAbove(200, orthographic) > 10 * kMostDepthRatio);
+}
+
+TEST_CASE("a base line of a scope that is going out of sight comes after others, but the one that is shown stays as it is") {
+  const View view(orbitCamera({0, 0, 0}, 20, 0, 20), 1000, 1000, Bounds{{-1, 0, -1}, {1, 0, 1}});
+  std::array<Sight, 2> sights;
+  for (Sight& sight : sights) {
+    sight.see(1.0);
+    sight.age(kReturnFrames);
+    sight.see(1.0);
+  }
+  sights[1].age(1);
+  REQUIRE(sights[1].see(0.0));   // it still counts as seen
+  REQUIRE_FALSE(sights[1].plain());
+  Occupied occupied;
+  Annotation annotation;
+  annotation.slip = Slip::kNone;
+  std::vector<SlipPlane> planes;
+  Foresight foresight;
+  UsableBaseLine base;
+  base.line.segment = {{-1, 0, 0}, {1, 0, 0}};
+  base.screen = view.toScreen(base.line.segment);
+  const auto scoreOf = [&](std::size_t scope, const History& history, bool showAll = false) {
+    base.scope = scope;
+    base.scopeIndex = static_cast<std::int32_t>(scope);
+    std::vector<Candidate> candidates;
+    gatherInsideCandidate({.annotation = annotation,
+                           .view = view,
+                           .padded = occupied.padded(),
+                           .paddedModel = occupied.paddedModel(),
+                           .guides = occupied.guides(),
+                           .objectPlanes = {},
+                           .history = history,
+                           .planes = planes,
+                           .foresight = foresight,
+                           .showAll = showAll,
+                           .sights = sights},
+                          base, boxAt({-1, 0, -1}, {2, 0.1, 2}), candidates);
+    REQUIRE(candidates.size() == 1);
+    return candidates.front().score;
+  };
+  const History none(0);
+  CHECK(scoreOf(1, none) == Approx(scoreOf(0, none) + kScoreFadingScope));
+  CHECK(scoreOf(1, none, true) == scoreOf(0, none, true));
+  History shown(0);
+  shown.choose({.parameter = 0, .scopeIndex = 1, .baseLine = static_cast<std::int16_t>(base.line.number)}, -1);
+  CHECK(scoreOf(1, shown) == Approx(scoreOf(0, none) + kScoreStay));
+  annotation.occlusion = false;   // lines on what nobody sees are wanted
+  CHECK(scoreOf(1, none) == scoreOf(0, none));
 }

@@ -80,15 +80,15 @@ BaseLine inTheMiddle() {
 }
 
 /// What the movement from one view to the next does to a line outside the model, in the plane that faces the viewer.
-Foresight::Prospect prospectOutside(const View& before, const View& now, const Segment& line, const BaseLine& feature = inTheMiddle()) {
+Foresight::Prospect prospectOutside(const View& before, const View& now, const Segment& line, const BaseLine& feature = inTheMiddle(), double leastPx = 0, const Vec2& textSize = Vec2(0.0)) {
   Foresight foresight;
   foresight.begin(before, now, boxBounds(), {}, 1e-3);
   std::vector<SlipPlane> planes;
   slipPlanes(feature, Slip::kBillboard, now, {}, planes);
   REQUIRE(planes.size() == 1);
-  return foresight.prospect({feature, Slip::kBillboard, planes[0], 1, 0.0, line});
+  return foresight.prospect({feature, Slip::kBillboard, planes[0], 1, 0.0, line, leastPx, textSize});
 }
-double priceInside(const Foresight& foresight, const Segment& base) { return foresight.prospectInside(base, true).price; }
+double priceInside(const Foresight& foresight, const Segment& base) { return foresight.prospectInside(base, true, 0).price; }
 double priceOutside(const View& before, const View& now, const Segment& line, const BaseLine& feature = inTheMiddle()) {
   return prospectOutside(before, now, line, feature).price;
 }
@@ -213,15 +213,44 @@ TEST_CASE("inside the model, what leaves the picture at the first looks is in it
   foresight.begin(seeing(10), seeing(9), boxBounds(), {}, 1e-3);
   // To the right of the middle 4.05 m are seen at the first look, then 3.645, 3.28, 2.95, 1.94 and 0.93 m.
   for (const bool whole : {true, false}) {
-    CHECK(foresight.prospectInside(rightBy(3.65), whole).lastMoments);
-    CHECK(foresight.prospectInside(rightBy(2.96), whole).lastMoments == !whole);
-    CHECK_FALSE(foresight.prospectInside(rightBy(2.94), whole).lastMoments);
+    CHECK(foresight.prospectInside(rightBy(3.65), whole, 0).lastMoments);
+    CHECK(foresight.prospectInside(rightBy(2.96), whole, 0).lastMoments == !whole);
+    CHECK_FALSE(foresight.prospectInside(rightBy(2.94), whole, 0).lastMoments);
   }
-  CHECK(foresight.prospectInside(rightBy(3.63), false).lastMoments);
-  CHECK_FALSE(foresight.prospectInside(rightBy(3.63), true).lastMoments);
+  CHECK(foresight.prospectInside(rightBy(3.63), false, 0).lastMoments);
+  CHECK_FALSE(foresight.prospectInside(rightBy(3.63), true, 0).lastMoments);
   // Not while the camera turns.
   foresight.begin(turnedBy(0), turnedBy(1), boxBounds(), {}, 1e-3);
-  CHECK_FALSE(foresight.prospectInside(rightBy(5.1), true).lastMoments);
+  CHECK_FALSE(foresight.prospectInside(rightBy(5.1), true, 0).lastMoments);
+}
+
+TEST_CASE("as the camera goes away, what will be too short to be measured is lost, sooner or later") {
+  // A height of 10 m after 9 m: 1 m is 100 px long now, 90 at the first look, 81, 72.9, 65.6, 43.0 and 20.6 at the last.
+  const double worst = kScoreSoonGone * kSoonGoneZooming;
+  Foresight foresight;
+  foresight.begin(seeing(9), seeing(10), boxBounds(), {}, 1e-3);
+  const auto inside = [&](double leastPx) { return foresight.prospectInside(rightBy(1), true, leastPx); };
+  BaseLine upright;
+  upright.segment = rightBy(1);
+  const auto outside = [&](double leastPx) { return prospectOutside(seeing(9), seeing(10), rightBy(1.5), upright, leastPx); };
+  CHECK(inside(20).price == 0);
+  CHECK(outside(20).price == 0);
+  CHECK(inside(21).price == Approx(worst / 6));
+  CHECK(outside(21).price == Approx(worst / 6));
+  CHECK(inside(91).price == worst);
+  CHECK(outside(91).price == worst);
+  // It is begun all the same: its feature is not better served elsewhere.
+  CHECK_FALSE(inside(91).lastMoments);
+  CHECK_FALSE(outside(91).lastMoments);
+  CHECK_FALSE(outside(91).brief);
+}
+
+TEST_CASE("a place is lost as well when the viewport has no room for its label any more") {
+  // At the last look 1 m is 539.7 px long, and the viewport's edge 500 px to the right of the middle. A label of 60 px on the upright line needs 30 px beside it, and there is a margin of 6 px: 464 px are 0.8598 m.
+  const auto price = [](double x, const Vec2& textSize) { return prospectOutside(seeing(10), seeing(9), rightBy(x), inTheMiddle(), 0, textSize).price; };
+  CHECK(price(0.855, {60, 14}) == 0);
+  CHECK(price(0.865, {60, 14}) < 0);
+  CHECK(price(0.865, Vec2(0.0)) == 0);
 }
 
 TEST_CASE("a line comes nearer to the model by what handleSpacing is less when the camera has come nearer") {

@@ -90,6 +90,17 @@ TEST_CASE("a label that would leave the viewport goes elsewhere, and where nothi
   CHECK_FALSE(placeLabel({.line = {{10, 10}, {30, 10}}, .textSize = kText}, Landed{}, {{0, 0}, {40, 20}}));
 }
 
+TEST_CASE("whether a label would have room in the viewport, were nothing else there") {
+  const Vec2 right{1, 0};
+  // On an upright line it reaches 24 px to either side, and the margin is 6 px.
+  CHECK(labelFits({{970, 300}, {970, 500}}, kText, right, kViewport));
+  CHECK_FALSE(labelFits({{971, 300}, {971, 500}}, kText, right, kViewport));
+  // One that is too short for it has it beyond its ends, or beside it on the side that leads away from the model.
+  CHECK(labelFits({{900, 500}, {910, 500}}, kText, {0, 1}, kViewport));
+  CHECK_FALSE(labelFits({{980, 20}, {980, 30}}, kText, right, kViewport));
+  CHECK(labelFits({{980, 20}, {980, 30}}, kText, -right, kViewport));
+}
+
 TEST_CASE("a label stays where it was, or as near by as it can, though places before that are free") {
   LabelRequest request{.line = {{100, 500}, {300, 500}}, .textSize = kText};
   request.last = LastLabelPlace{.place = LabelPlace{.side = LabelPlace::Side::kOnLine, .eighth = 4}};

@@ -216,6 +216,23 @@ TEST_CASE("while the camera comes nearer a pill stays inside, however long there
   CHECK(attic.placeMoving(attic.outside, false, true) == PlacementKind::kOutside);
 }
 
+TEST_CASE("while the camera comes nearer a pill that loses its place outside goes inside rather than to one that will leave the viewport") {
+  const auto whenTaken = [](bool nearing, std::initializer_list<Box2> taken) {
+    AtticSwitch attic;
+    REQUIRE(attic.placeMoving(attic.outside, true, nearing) == PlacementKind::kOutside);
+    REQUIRE(attic.placed.box.max.y < 375);   // above
+    for (const Box2& box : taken) attic.stage.landed.addLabel(box);
+    return attic.placeMoving(attic.outside, true, nearing);
+  };
+  const Box2 above{{0, 0}, {1000, 340}};
+  const Box2 below{{0, 626}, {1000, 1000}};
+  // Beside the box it stands about 270 px from the middle, and is outside when the picture has grown twice; below it 170 px.
+  CHECK(whenTaken(true, {above, below}) == PlacementKind::kInside);
+  CHECK(whenTaken(false, {above, below}) == PlacementKind::kOutside);
+  CHECK(whenTaken(true, {above}) == PlacementKind::kOutside);
+  CHECK(whenTaken(true, {above, below, {{201, 345}, {799, 624}}}) == PlacementKind::kOutside);   // there is none inside
+}
+
 TEST_CASE("a pill does not go back to a place outside that it has just left, as long as there is one inside") {
   AtticSwitch attic;
   const auto place = [&](std::initializer_list<Box2> taken) {
