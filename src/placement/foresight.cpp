@@ -24,13 +24,6 @@ double zoomBetween(const Camera& before, const Camera& now) {
   return glm::length(now.eye - now.target) / glm::length(before.eye - before.target);
 }
 
-/// Whether a base line is in the picture, and no shorter there than `leastPx`.
-bool canBeUsed(const Segment& base, const View& view, double leastPx) {
-  if (!view.inFrontOfNear(base.start) || !view.inFrontOfNear(base.end)) return false;
-  const Segment2 screen = view.toScreen(base);
-  return meets(screen, view.viewport()) && screen.length() >= leastPx;
-}
-
 /// The camera's movement from one view to the next, to be gone on with.
 class Movement {
  public:
@@ -110,10 +103,19 @@ std::size_t Foresight::firstLook(Lost lost) const {
   return look;
 }
 
+/// The first look at which nothing of a base line is left in the picture, or it is shorter there than `leastPx`.
+std::size_t Foresight::firstLookWithout(const Segment& base, double leastPx) const {
+  return firstLook([&](const Look& look) {
+    if (!look.view.inFrontOfNear(base.start) || !look.view.inFrontOfNear(base.end)) return true;
+    const Segment2 screen = look.view.toScreen(base);
+    return !meets(screen, look.view.viewport()) || screen.length() < leastPx;
+  });
+}
+
 Foresight::Prospect Foresight::prospect(const Place& place) {
   if (lookCount_ == 0) return {.price = turnedAway(place.base, now_, kTurnedAwaySin) ? kScoreSoonGone * kTurnedAwayShare : 0.0};
   const std::size_t cramped = firstLook([&](const Look& look) { return !hasRoom(look, place); });
-  const std::size_t lost = place.leastPx > 0 ? std::min(cramped, firstLook([&](const Look& look) { return !canBeUsed(place.base.segment, look.view, place.leastPx); })) : cramped;
+  const std::size_t lost = place.leastPx > 0 ? std::min(cramped, firstLookWithout(place.base.segment, place.leastPx)) : cramped;
   const std::size_t turned = firstLook([&](const Look& look) { return turnedAway(place.base, look.view, kTurnedAwaySin); });
   return {.price = lossPrice_ * std::max(shareLeft(lost), kTurnedAwayShare * shareLeft(turned)),
           .brief = std::min(cramped, turned) < briefCount_,
@@ -136,10 +138,8 @@ bool Foresight::hasRoom(const Look& look, const Place& place) {
 }
 
 Foresight::Prospect Foresight::prospectInside(const Segment& base, bool whole, double leastPx) const {
-  const std::size_t left = firstLook([&](const Look& look) { return !canBeUsed(base, look.view, 0); });
-  const std::size_t lost = std::min(left, firstLook([&](const Look& look) { return !canBeUsed(base, look.view, leastPx); }));
-  return {.price = lossPrice_ * shareLeft(lost),
-          .lastMoments = zooms() && left < (whole ? kLooksAtLastMomentsInside : kLooksAtLastMomentsCut)};
+  return {.price = lossPrice_ * shareLeft(firstLookWithout(base, leastPx)),
+          .lastMoments = zooms() && firstLookWithout(base, 0) < (whole ? kLooksAtLastMomentsInside : kLooksAtLastMomentsCut)};
 }
 
 }  // namespace dimline

@@ -55,6 +55,7 @@ class Foresight {
   [[nodiscard]] bool hasRoom(const Look& look, const Place& place);
   template <typename Lost>
   [[nodiscard]] std::size_t firstLook(Lost lost) const;
+  [[nodiscard]] std::size_t firstLookWithout(const Segment& base, double leastPx) const;
   /// 1 for what is lost at the first look, in equal steps less for later ones, 0 for what is not.
   [[nodiscard]] double shareLeft(std::size_t look) const { return lookCount_ > 0 ? static_cast<double>(lookCount_ - look) / static_cast<double>(lookCount_) : 0.0; }
 
