@@ -76,7 +76,7 @@ double coverCost(const Box2& box, const Layout& drawn, const DistanceFields& fie
     cost += areaWithin(other.box, box) + handlesWithin(other.handles, box);
     if (other.arc) {
       if (arcOnScreen(*other.arc, drawn.view, points)) cost += kLinePx * lengthWithin(points, box);
-    } else if (other.placement != PlacementKind::kInside) {
+    } else if (!other.box.contains(other.anchor)) {
       cost += kExtensionPx * lengthWithin(Segment2{other.anchor, other.box.center()}, box);
     }
   }

@@ -86,9 +86,7 @@ void Editor::State::buildOverlayHandles() {
   std::size_t arcs = 0;
   const auto add = [&](const PlacedHandle& handle, double opacity, const LineState& state, float handleScale) {
     if (!handle.arc) {
-      if (handle.placement != PlacementKind::kInside) {
-        overlayLeaders.push_back({handle.anchor, handle.box, static_cast<float>(opacity)});
-      }
+      overlayLeaders.push_back({handle.anchor, handle.box, static_cast<float>(opacity)});
       return;
     }
     if (arcs == arcPoints.size()) arcPoints.emplace_back();

@@ -41,6 +41,7 @@ TEST_CASE("a box hides of numbers and pills their area, of strokes their length,
   layout.lines.push_back(line);
   PlacedHandle pill;
   pill.box = {{150, 10}, {190, 30}};
+  pill.anchor = pill.box.center();
   layout.others.push_back(pill);
   const DistanceFields fields = blockFields();
   const auto cost = [&](const Vec2& min, const Vec2& max) { return coverCost({min, max}, layout, fields); };
@@ -78,7 +79,7 @@ TEST_CASE("arrowheads, extension lines and leaders count where they are") {
   CHECK(cost({40, 75}, {60, 85}) > 0);
   CHECK(cost({160, 50}, {180, 60}) > 0);
   CHECK(cost({100, 50}, {140, 60}) == 0);
-  layout.others[0].placement = PlacementKind::kInside;   // then no leader is drawn
+  layout.others[0].anchor = {170, 20};   // under the pill: then no leader is drawn
   CHECK(cost({160, 50}, {180, 60}) == 0);
 }
 
