@@ -153,8 +153,8 @@ inline constexpr double kScoreSoonGone = -9.9 * kHandleSpacingPx;
 inline constexpr int kLooksAheadTurning = 2;
 inline constexpr int kLooksAheadZooming = 6;
 inline constexpr double kSoonGoneZooming = 3.5;
-/// A line inside the model does not come out to a place that is lost before the view has turned by kForesightRad or zoomed by this, and while the camera comes nearer one base line of a row
-/// comes before such a chain. Less: lines come out, and chains are begun, for a moment. More: lines stay inside though there is room, and rows have no chains.
+/// A line inside the model does not come out to a place that is lost before the view has turned by kForesightRad or zoomed by this; while the camera comes nearer one base line of a row comes before
+/// such a chain, and a switch or a choice that loses its place goes inside before it goes to such a one. Less: lines come out, and chains are begun, for a moment. More: lines stay inside though there is room, and rows have no chains.
 inline constexpr double kBriefZoom = 0.7;
 /// Of kLooksAheadZooming looks: a place outside the model that is lost at one of so many is not begun; nor is a base line inside it of which nothing is left in the picture at one of so many, when it is
 /// all in the picture now, and when it is cut off. Fewer: while the camera comes nearer, lines hop from one place to another for a frame or two each, or are shown at the rim for their last moments. More:

@@ -281,6 +281,32 @@ TEST_CASE("while the camera comes nearer, no chain is begun for a moment where o
   CHECK(begun > 5);
 }
 
+TEST_CASE("while the camera goes away, one base line stands for its chain until there is room to spare") {
+  Stage stage(towerWithBays());
+  int chains = 0;
+  for (double azimuth = -90; azimuth < 90; azimuth += 7) {
+    stage.placer.forget();
+    Identity last;
+    int held = kSingleStaysZooming;
+    double distanceM = 9;
+    for (int i = 0; i < 110; ++i, distanceM /= 0.983) {
+      stage.look(orbitCamera({5, 3, 0}, distanceM, azimuth + 0.25 * i, 25));
+      Identity now;
+      for (const PlacedLine& line : stage.layout.lines) now = line.identity;
+      if (now.chain >= 0) now.scopeIndex = -1;
+      const bool fromSingle = last.chain < 0 && last.plane >= 0;
+      if (now.chain >= 0 && fromSingle) {
+        INFO("azimuth " << azimuth << ", frame " << i);
+        CHECK(held >= kSingleStaysZooming - 1);
+        ++chains;
+      }
+      held = now == last ? held + 1 : 0;
+      last = now;
+    }
+  }
+  CHECK(chains > 5);
+}
+
 TEST_CASE("a line that another would have to run into gives way, in the first picture already") {
   // The plate's way down is the shorter one by a little, the bays' by so much that they rather run across the plate's line; which could as well lie above.
   Stage stage(wallWithPlateAndBays({.heightM = 16, .plateM = 7.8, .baysM = 0.5, .plateAlign = "none"}));
