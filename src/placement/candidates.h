@@ -1,14 +1,15 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "model/annotation.h"
 #include "placement/foresight.h"
 #include "placement/guides.h"
-#include "placement/visibility.h"
 #include "placement/history.h"
 #include "placement/layout.h"
 #include "placement/slip_planes.h"
+#include "placement/visibility.h"
 
 namespace dimline {
 

@@ -9,8 +9,8 @@
 namespace dimline {
 
 /// Which places the movement of the camera is about to take away. A plane that is turning edge-on is left out soon (paper 4.4), and so is the part of an object plane that a
-/// neighbour is about to cut off; what the camera comes nearer to leaves the viewport; and a feature that turns away is soon hidden. A line that goes there has to move again at once.
-/// So are things that grow too small to be measured as the camera goes away.
+/// neighbour is about to cut off; what the camera comes nearer to leaves the viewport, or its label does; what it goes away from grows too small to be measured; and a feature that turns away is soon hidden. A line that goes there has to
+/// move again at once.
 /// So whoever needs a new place asks what the movement will do to it when it goes on for a while as it does now. Beyond the paper, which judges each frame by itself.
 class Foresight {
  public:

@@ -9,6 +9,8 @@ namespace {
 /// px. What rounding alone may move.
 constexpr double kStillPx = 0.01;
 
+static_assert(kSingleStaysZooming >= kReturnFrames, "framesHeld() counts no further");
+
 }  // namespace
 
 bool History::stays(const Identity& candidate, const Segment2& awayPx) const {
@@ -34,7 +36,7 @@ double History::relaxedOffsetM(double leastM, double stepM) const {
 
 void History::age() {
   aged_ = true;
-  framesHeld_ = std::min(framesHeld_ + 1, std::max(kReturnFrames, kSingleStaysZooming));
+  framesHeld_ = std::min(framesHeld_ + 1, kSingleStaysZooming);
   betterFrames_ = betterThere_ ? std::min(betterFrames_ + 1, kReturnFrames) : 0;
   betterThere_ = false;
   for (Left& left : left_) left.framesAgo = std::min(left.framesAgo + 1, kReturnFrames);
