@@ -108,14 +108,18 @@ inline constexpr double kScoreStay = 20 * kHandleSpacingPx;
 inline constexpr double kScoreReturn = -14.0 * kHandleSpacingPx;
 inline constexpr int kReturnFrames = 20;
 
-/// Beyond the paper (placement/mending.h): what each line that changes its place, or leaps, costs an attempt to mend a frame; going back to what was left within
-/// kReturnFrames counts as so many changes more. Less: lines change places for a small gain. More: what is amiss stays until a place is lost.
-inline constexpr double kScoreChange = -12.0 * kHandleSpacingPx;
-inline constexpr double kChangesOfReturn = 6.0;
+/// Beyond the paper (placement/mending.h): what each line that changes its place costs an attempt to mend a frame; a leap counts as so many changes, and going back to what was left within
+/// kReturnFrames as so many more. Less: lines change places for a small gain. More: what is amiss stays until a place is lost.
+inline constexpr double kScoreChange = -13.0 * kHandleSpacingPx;
+inline constexpr double kChangesOfLeap = 2.5;
+inline constexpr double kChangesOfReturn = 8.0;
+/// The same, as a share, where it leaves no line at all that runs across another's extension line, since a picture without is read at a glance. Less: more such pictures, and more changes. For the last
+/// of them alone: at a low price for all, lines change places without end where they are so crowded that some stay in each other's way.
+inline constexpr double kChangeShareToUntangle = 0.4;
 /// What it costs there that a line runs across another's extension line, that a longer line lies nearer to the model than a shorter one beside it, and that a line is inside
-/// the model. A change costs once, these as long as they last, so each is worth about a change or more.
-inline constexpr double kScoreTangle = -20.0 * kHandleSpacingPx;
-inline constexpr double kScoreNestedWrongly = -20.0 * kHandleSpacingPx;
+/// the model. A change costs once, these as long as they last, so each is worth a change or more; in px it is how far lines go for it.
+inline constexpr double kScoreTangle = -18.0 * kHandleSpacingPx;
+inline constexpr double kScoreNestedWrongly = -40.0 * kHandleSpacingPx;
 inline constexpr double kScoreInside = -40.0 * kHandleSpacingPx;
 /// What it costs a line inside the model to run across another's extension line, through a label, or into a line inside that is still to be placed: more than staying is worth, since
 /// its other base lines are near by.
@@ -127,8 +131,10 @@ inline constexpr double kBehindScopeSin = 0.15;
 /// What it costs a line inside to measure a scope of which nothing is seen, and in proportion one that is hidden in part: the line is faint where the model is before it. More: in a row of windows the line
 /// goes from one to the next as they come into view.
 inline constexpr double kScoreHiddenScope = -10.0 * kHandleSpacingPx;
-/// Attempts at a moved frame, each about as long as placing it. More find more and cost more.
+/// Attempts at a moved frame in which a line looks for another place, each about as long as placing it; one in another order comes on top. More find more and cost more.
 inline constexpr int kMendingAttempts = 2;
+/// One in so many attempts in another order goes back to the shortest first. Fewer: an order of long ago stays when it no longer helps. More: it costs time.
+inline constexpr int kShortestFirstEvery = 3;
 /// How often a first picture is placed, the second time with a view to what was placed in the first. More: fewer lines across others' extension lines, and fewer of those through numbers; it takes longer.
 inline constexpr int kFirstPictureRounds = 2;
 /// Moved frames after which any line may look for a better place, though nothing is amiss with it.
@@ -192,7 +198,7 @@ inline constexpr double kScoreCrossesAhead = -6.0 * kHandleSpacingPx;
 
 /// Beyond the paper: principle 6, shorter lines nearer to the model. The order of placing brings that about unless a shorter line had to go far out; a longer
 /// one that would lie nearer, beside it, costs this. Less than kScoreStay: whoever is there already is moved by mending alone (kScoreNestedWrongly).
-inline constexpr double kScoreNestsWithin = -8.0 * kHandleSpacingPx;
+inline constexpr double kScoreNestsWrongly = -8.0 * kHandleSpacingPx;
 
 /// Beyond the paper: an extension line through a label that has landed makes it hard to read, which a crossing of two thin lines does
 /// not; such a place is taken only when it is much nearer than any other.

@@ -111,7 +111,7 @@ bool Chooser::chooseBest(const Measured& measured, const ChoiceContext& context,
       // By how much labels lower its score that may yet give way.
       const auto forLabels = [&](const Trial::AmongOthers& among) { return context.asksForRoom && among.landed.labels ? -kScoreCoversLabel : 0.0; };
       const double enough = found && !context.asksForRoom ? bestScore : -std::numeric_limits<double>::infinity();
-      const auto inPlace = [&] { return Trial::amongOthers(candidate, context, enough); };
+      const auto inPlace = [&] { return Trial::amongOthers(candidate, measured, context, enough); };
       Trial::AmongOthers among = inPlace();
       if (beaten(among.score + forLabels(among))) continue;
       const Segment2 triedAt = candidate.lineScreen;
@@ -176,14 +176,11 @@ bool Chooser::chooseInside(const CandidateContext& candidates, const ChoiceConte
 }
 
 Chooser::Worth Chooser::worth(const Landed& landed) {
-  if (winner_.placement == PlacementKind::kInside) return {kScoreInside, {}, false};
+  if (winner_.placement == PlacementKind::kInside) return {kScoreInside, landed.tangle(winner_.lineScreen, {}), false};
   const Landed::Crossings& crossings = winnerAmongOthers_.landed;
-  const bool nests = winnerAmongOthers_.nestsWithin;
   const Landed::Tangle tangle = crossings.extensions ? landed.tangle(winner_.lineScreen, trial_.extensionsOf(winnerLines_)) : Landed::Tangle{};
-  const double runsInto = (crossings.lines ? kScoreIntersect : 0.0) + (crossings.labels ? kScoreCoversLabel : 0.0) +
-                          kScoreTangle * tangle.lines +
-                          (nests ? kScoreNestedWrongly : 0.0);
-  return {winner_.score - winner_.hysteresis + runsInto, tangle, nests};
+  const double runsInto = (crossings.lines ? kScoreIntersect : 0.0) + (crossings.labels ? kScoreCoversLabel : 0.0);
+  return {winner_.score - winner_.hysteresis + runsInto, tangle, winnerAmongOthers_.nestsWrongly};
 }
 
 }  // namespace dimline

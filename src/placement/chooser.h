@@ -19,11 +19,11 @@ class Chooser {
   [[nodiscard]] std::span<const ChosenLine> lines() const { return winnerLines_; }
   /// The lines of a place that would have been chosen had no label been in their way; none when there is no such place, or labels do not give way (ChoiceContext::asksForRoom).
   [[nodiscard]] std::span<const ChosenLine> wished() const { return wishedLines_; }
-  /// What the choice is worth among what has landed before it.
+  /// What the choice is worth among what has landed before it, and what is amiss with it.
   struct Worth {
-    double score = 0;             ///< px; hysteresis left out, with what it runs into
+    double score = 0;             ///< px; hysteresis left out, with lines and labels that it runs into
     Landed::Tangle tangle;
-    bool nestsWithin = false;
+    bool nestsWrongly = false;
   };
   [[nodiscard]] Worth worth(const Landed& landed);
   /// Whether the choice is a base line that runs into a line that has landed, or all that could have been would have.

@@ -10,6 +10,8 @@ namespace {
 /// Lines within 10 degrees of each other look parallel; beside each other they are along more pixels than these.
 constexpr double kParallelCos = 0.985;
 constexpr double kBesidePx = 2.0;
+/// By this factor a line must be longer, in the world, to have to lie outside another.
+constexpr double kLonger = 1.01;
 
 /// Whether two segments share a stretch of more than kExtensionClearancePx along which they are less than kSameLinePx apart.
 bool lieOnEachOther(const Segment2& a, const Segment2& b) {
@@ -43,7 +45,7 @@ void Landed::clear() {
 
 void Landed::add(const PlacedLine& line, int guide) {
   const int parameter = static_cast<int>(line.parameter);
-  lines_.push_back({line.lineScreen, guide, line.lineScreen.middle() - line.baseScreen.middle(), parameter});
+  lines_.push_back({line.lineScreen, guide, line.lineScreen.middle() - line.baseScreen.middle(), parameter, line.lengthM});
   for (const auto* extension : {&line.extensionStart, &line.extensionEnd}) {
     for (std::size_t i = 1; i < extension->size(); ++i) {
       const Segment2 part{(*extension)[i - 1], (*extension)[i]};
@@ -133,7 +135,7 @@ Landed::Crossings Landed::extensionCrossings(std::span<const Segment2> extension
   return found;
 }
 
-bool Landed::nestsWithin(const Segment2& base, const Segment2& line, int guide) const {
+bool Landed::nestsWrongly(const Segment2& base, const Segment2& line, double lengthM, int guide) const {
   const double length = line.length();
   if (!(length > 0)) return false;
   const Vec2 along = (line.end - line.start) / length;
@@ -145,7 +147,9 @@ bool Landed::nestsWithin(const Segment2& base, const Segment2& line, int guide) 
     if (std::abs(glm::dot(l.segment.end - l.segment.start, along)) < kParallelCos * l.segment.length()) return false;
     const auto [otherFrom, otherTo] = std::minmax({glm::dot(l.segment.start, along), glm::dot(l.segment.end, along)});
     if (std::min(from + length, otherTo) - std::max(from, otherFrom) < kBesidePx) return false;
-    return side * glm::dot(l.away, across) > 0 && side * glm::dot(l.segment.middle() - line.middle(), across) > 0;
+    const double nearerPx = side * glm::dot(l.segment.middle() - line.middle(), across);
+    const bool wrongly = nearerPx > 0 ? lengthM > kLonger * l.lengthM : l.lengthM > kLonger * lengthM;
+    return wrongly && side * glm::dot(l.away, across) > 0;
   });
 }
 

@@ -65,8 +65,9 @@ class Landed {
   /// Whether one of these runs across a line that has landed, or through a label.
   [[nodiscard]] Crossings extensionCrossings(std::span<const Segment2> extensions) const;
 
-  /// Whether a line is nearer to the model than one that has landed, on another guide, and runs beside it on the same side of their base lines.
-  [[nodiscard]] bool nestsWithin(const Segment2& base, const Segment2& line, int guide) const;
+  /// Whether a line that measures `lengthM` and one that has landed, on another guide, run beside each other on the same side of their base lines, and the longer one, in the world, is nearer to the
+  /// model. Lengths that differ by 1 % or less are equal.
+  [[nodiscard]] bool nestsWrongly(const Segment2& base, const Segment2& line, double lengthM, int guide) const;
 
   /// Whether a line comes nearer than `px` to one that has landed.
   [[nodiscard]] bool comesWithin(double px, const Segment2& line) const;
@@ -92,6 +93,7 @@ class Landed {
     int guide = -1;
     Vec2 away{0.0};   ///< px, from the middle of its base line to its own
     int parameter = -1;
+    double lengthM = 0;   ///< of its base line
   };
   std::vector<Line> lines_;
   std::vector<Extension> extensions_;

@@ -31,30 +31,39 @@ bool standsBefore(const Segment2& s, double growPx, ViewportEdge edge, const Seg
 
 }  // namespace
 
-void LookAhead::Lines::begin(std::size_t ranks, bool changed) {
+void LookAhead::Lines::begin(bool changed) {
   if (changed) std::swap(past, present);
   present.reserve(past.capacity());   // they change places: what one has room for the other needs as well
   present.clear();
+}
+
+void LookAhead::Lines::forgetAhead(std::size_t ranks) {
   ahead.clear();
   marks.resize(ranks);
 }
 
-void LookAhead::begin(std::span<const Measured> order, const View& view, const DistanceFields& model, bool changed, bool shown) {
+void LookAhead::begin(bool changed, bool shown) {
   if (changed) shown_ = shown;
-  outside_.begin(order.size(), changed);
-  inside_.begin(order.size(), changed);
+  outside_.begin(changed);
+  inside_.begin(changed);
+}
+
+void LookAhead::project(std::span<const Measured> lines, std::span<const std::uint32_t> order, const View& view, const DistanceFields& model) {
+  outside_.forgetAhead(lines.size());
+  inside_.forgetAhead(lines.size());
   free_.clear();
   const auto inFront = [&](const Segment& s) { return view.inFrontOfNear(s.start) && view.inFrontOfNear(s.end); };
-  for (std::size_t rank = order.size(); rank-- > 0;) {
+  for (std::size_t turn = order.size(); turn-- > 0;) {
+    const std::size_t rank = order[turn];
     outside_.marks[rank] = outside_.ahead.mark();
     inside_.marks[rank] = inside_.ahead.mark();
     for (const Line& l : inside_.past) {
-      if (l.parameter != order[rank].parameter || !inFront(l.base)) continue;
+      if (l.parameter != lines[rank].parameter || !inFront(l.base)) continue;
       const Segment2 base = view.toScreen(l.base);
       inside_.ahead.add(base, base, base);
     }
     for (const Line& l : outside_.past) {
-      if (l.parameter != order[rank].parameter || !inFront(l.base) || !inFront(l.foot) || !inFront(l.line)) continue;
+      if (l.parameter != lines[rank].parameter || !inFront(l.base) || !inFront(l.foot) || !inFront(l.line)) continue;
       const Segment2 line = view.toScreen(l.line);
       outside_.ahead.add(view.toScreen(l.base), view.toScreen(l.foot), line);
       Free& free = free_.emplace_back();

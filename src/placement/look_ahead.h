@@ -13,9 +13,11 @@ namespace dimline {
 class LookAhead {
  public:
   /// A frame begins. `changed`: the view or the scene is another than in the last frame; before a still camera the same lines are looked at again, so that
-  /// nothing moves with time alone. `shown`: somebody saw that frame, and would see lines give way to labels; nobody sees the first rounds of a first picture.
-  void begin(std::span<const Measured> order, const View& view, const DistanceFields& model, bool changed, bool shown = true);
-  /// It is the turn of the parameter of that rank in the order: lines up to its own are no longer ahead.
+  /// nothing moves with time alone. `shown`: somebody saw that frame, and would see lines give way to labels; nobody sees the first rounds of a first picture. To be followed by project().
+  void begin(bool changed, bool shown = true);
+  /// `lines` by their ranks, which are placed in this order. All of them are ahead.
+  void project(std::span<const Measured> lines, std::span<const std::uint32_t> order, const View& view, const DistanceFields& model);
+  /// It is the turn of the line of that rank: those up to its own in the order are no longer ahead.
   void reach(std::size_t rank);
   [[nodiscard]] Landed::Crossings crossings(const Segment2& base, const Segment2& foot, const Segment2& line) const {
     return outside_.ahead.crossings(base, foot, line);
@@ -53,7 +55,8 @@ class LookAhead {
     Landed ahead;
     std::vector<Landed::Mark> marks;   ///< one a rank: how much of `ahead` is of later ranks
 
-    void begin(std::size_t ranks, bool changed);
+    void begin(bool changed);
+    void forgetAhead(std::size_t ranks);
   };
   Lines outside_;
   Lines inside_;

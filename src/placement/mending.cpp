@@ -26,11 +26,18 @@ void Outcome::begin(std::size_t ranks) {
   changed.assign(ranks, 0);
   outside.assign(ranks, 0);
   amiss.assign(ranks, 0);
+  tangles = nestedWrongly = 0;
+  tangled.clear();
+  tangled.reserve(ranks);
 }
 
 bool Outcome::betterThan(const Outcome& other) const {
   constexpr double kLeastGainPx = 1.0;
-  return worth - other.worth + kScoreChange * (changes - other.changes) > kLeastGainPx;
+  const auto amissPx = [](const Outcome& outcome) { return kScoreTangle * outcome.tangles + kScoreNestedWrongly * outcome.nestedWrongly; };
+  // What leaves the picture without any may change more; what would bring the first one in for fewer changes must save as many.
+  const bool untangles = (tangles == 0) != (other.tangles == 0);
+  const double changePx = kScoreChange * (untangles ? kChangeShareToUntangle : 1.0);
+  return worth - other.worth + amissPx(*this) - amissPx(other) + changePx * (changes - other.changes) > kLeastGainPx;
 }
 
 void Mending::begin() {
@@ -55,6 +62,16 @@ std::optional<std::size_t> Mending::next(const Outcome& outcome) {
   }
   // Nobody twice: what was not found in the first attempt is not found in the second.
   return nextInTurn(ranks, lastAmiss_, [&](std::size_t rank) { return rank != first_ && outcome.outside[rank] != 0 && outcome.amiss[rank] != 0; });
+}
+
+std::optional<Mending::Order> Mending::nextOrder(const Outcome& outcome, bool shortestFirst) {
+  const bool back = !shortestFirst && (outcome.tangled.empty() || outcome.nestedWrongly > 0);
+  if (outcome.tangled.empty() && !back) return std::nullopt;
+  const std::size_t turn = orders_++;
+  if (back && turn % kShortestFirstEvery == 0) return Order{.shortestFirst = true};
+  if (outcome.tangled.empty()) return std::nullopt;
+  const auto [earlier, later] = outcome.tangled[turn % outcome.tangled.size()];
+  return Order{.rank = later, .before = earlier};
 }
 
 }  // namespace dimline

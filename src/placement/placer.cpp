@@ -30,6 +30,7 @@ Placer& Placer::operator=(Placer&&) noexcept = default;
 void Placer::forget() {
   State::Past& past = state_->past;
   for (std::size_t i = 0; i < past.histories.size(); ++i) past.histories[i] = History(static_cast<std::int32_t>(i));
+  past.placingOrder.forget();
   past.lookAhead.forget();
   past.labels.forget();
   past.mending = {};
@@ -112,6 +113,7 @@ void Placer::setScene(const Model& model, const Scene& scene) {
   appendSorted(byLength[0]);
   s.objectPlanes = objectPlanes(fixedBaseLines(s.order, s.scopes), scene.bounds);
   appendSorted(byLength[1]);
+  s.past.placingOrder.arrange(s.order);
   s.mostLines = 0;
   for (const Measured& measured : s.order) s.mostLines += measured.scopes.size();
 }
@@ -145,13 +147,14 @@ void Placer::place(const View& view, const DistanceFields& fields, const Values&
   const FrameToPlace frame{view, fields, values, held, viewMoved};
   // What was edited, and a line that was let go of, may find another place at once.
   const bool wasHeld = std::exchange(s.past.held, !held.empty());
-  s.firm = !sceneChanged && held.empty() && !wasHeld;
+  const bool firm = !sceneChanged && held.empty() && !wasHeld;
+  // In a first picture there is nothing to keep, but what is amiss can be mended.
+  s.firm = firm || (first && held.empty());
   s.occupied.begin(fields);
   // In a first picture nothing is known of what is ahead, and little is mended: more rounds of the same view make up for that.
   const int rounds = first && held.empty() ? kFirstPictureRounds : 1;
   s.opening = s.asksForRoom = rounds > 1;
   s.placeOnce(frame, sceneChanged, true, layout);
-  const bool firm = s.firm;
   for (int round = 1; round < rounds; ++round) {
     s.firm = true;
     s.asksForRoom = round + 1 < rounds;
@@ -170,27 +173,42 @@ void Placer::place(const View& view, const DistanceFields& fields, const Values&
 
 /// A round of placing everything, and of mending it where lines keep their places. `shown`: what was placed before.
 void Placer::State::placeOnce(const FrameToPlace& frame, bool sceneChanged, bool shown, Layout& layout) {
-  past.lookAhead.begin(order, frame.view, frame.fields, frame.viewMoved || sceneChanged, shown);
+  past.lookAhead.begin(frame.viewMoved || sceneChanged, shown);
+  past.lookAhead.project(order, past.placingOrder.ranks(), frame.view, frame.fields);
   const bool mends = firm && frame.viewMoved;
   if (mends) beforeAttempts = past;
   placeWithRoom(frame, layout);
   if (mends) mend(frame, layout);
 }
 
-/// Other attempts at the frame that has been placed, in each of which one line must find another place; the best one stays.
+/// Other attempts at the frame that has been placed, in each of which one line must find another place, and one in another order; the best one stays.
 void Placer::State::mend(const FrameToPlace& frame, Layout& layout) {
   Mending mending = past.mending;
   mending.begin();
   while (const auto rank = mending.next(outcome)) {
     avoided = {*rank, past.histories[order[*rank].parameter].last()};
-    swapWithBest(layout);
-    past = beforeAttempts;
-    placeWithRoom(frame, layout);
-    avoided.reset();
     // One that has no other place outside would be back in its own in the next frame.
-    if (outcome.outside[*rank] == 0 || !outcome.betterThan(bestOutcome)) swapWithBest(layout);
+    attempt(frame, layout, [] {}, [&] { return outcome.outside[*rank] != 0 && outcome.betterThan(bestOutcome); });
+    avoided.reset();
+  }
+  if (const auto other = mending.nextOrder(outcome, past.placingOrder.isShortestFirst())) {
+    const auto reorder = [&] {
+      other->shortestFirst ? past.placingOrder.forget() : past.placingOrder.put(other->rank, other->before);
+      past.lookAhead.project(order, past.placingOrder.ranks(), frame.view, frame.fields);
+    };
+    attempt(frame, layout, reorder, [&] { return other->shortestFirst ? !bestOutcome.betterThan(outcome) : outcome.betterThan(bestOutcome); });
   }
   past.mending = mending;
+}
+
+/// Another attempt at the frame, which `change` prepares; it takes the place of the best one if it `stays`.
+template <typename Change, typename Stays>
+void Placer::State::attempt(const FrameToPlace& frame, Layout& layout, Change change, Stays stays) {
+  swapWithBest(layout);
+  past = beforeAttempts;
+  change();
+  placeWithRoom(frame, layout);
+  if (!stays()) swapWithBest(layout);
 }
 
 void Placer::State::swapWithBest(Layout& layout) {

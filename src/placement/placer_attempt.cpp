@@ -86,7 +86,7 @@ bool Placer::State::placeAll(const FrameToPlace& frame, std::size_t crowded, Lay
   outcome.begin(order.size());
   bool cramped = false;
   const ObjectPlanesInFrame object{objectPlanes, objectPlaneUses, toleranceM};
-  for (std::size_t rank = 0; rank < order.size(); ++rank) {
+  for (const std::size_t rank : past.placingOrder.ranks()) {
     Measured& measured = order[rank];
     past.lookAhead.reach(rank);
     const auto inHand = std::ranges::find(held, measured.parameter, &PlacedLine::parameter);
@@ -200,17 +200,25 @@ void Placer::State::noteChoice(const Measured& measured) {
 /// Adds what the choice is worth, and what is amiss with it, to the frame's outcome.
 void Placer::State::judgeChoice(std::size_t rank, const History& history) {
   const Candidate& winner = chooser.winner();
-  const auto [score, tangle, nestsWithin] = chooser.worth(occupied.landed());
+  const auto [score, tangle, nestsWrongly] = chooser.worth(occupied.landed());
   outcome.worth += score;
   outcome.outside[rank] = winner.placement != PlacementKind::kInside ? 1 : 0;
-  if (nestsWithin) outcome.amiss[rank] = 1;
+  outcome.tangles += tangle.lines;
+  if (nestsWrongly) {
+    outcome.amiss[rank] = 1;
+    ++outcome.nestedWrongly;
+  }
   if (tangle.lines > 0) {
     outcome.amiss[rank] = 1;
     const auto other = std::ranges::find(order, static_cast<std::size_t>(tangle.parameter), &Measured::parameter);
-    if (tangle.parameter >= 0 && other != order.end()) outcome.amiss[static_cast<std::size_t>(other - order.begin())] = 1;
+    if (tangle.parameter >= 0 && other != order.end()) {
+      const auto otherRank = static_cast<std::size_t>(other - order.begin());
+      outcome.amiss[otherRank] = 1;
+      outcome.tangled.emplace_back(otherRank, rank);
+    }
   }
   if (history.any() && !history.stays(winner.identity, away(winner.baseScreen, winner.lineScreen))) {
-    outcome.changes += 1;
+    outcome.changes += history.last() == winner.identity ? kChangesOfLeap : 1.0;
     outcome.changed[rank] = 1;
     if (history.leftLately(winner.identity)) outcome.changes += kChangesOfReturn;
   }

@@ -10,6 +10,7 @@
 #include "placement/label_memory.h"
 #include "placement/mending.h"
 #include "placement/placer.h"
+#include "placement/placing_order.h"
 #include "placement/visibility.h"
 
 // What a Placer is made of; private to the placer's own files. placer.cpp keeps what is known from frame to frame and says how often a frame is placed, placer_attempt.cpp places it
@@ -31,7 +32,7 @@ struct Placer::State {
   std::vector<Scope> scopes;
   Bounds bounds;                      ///< of the model (m)
   double toleranceM = 0;              ///< kSamePlaneDistance of its size
-  std::vector<Measured> order;        ///< those with dimension lines, shortest first
+  std::vector<Measured> order;        ///< those with dimension lines, shortest first: by their ranks
   std::vector<Measured> others;       ///< those with other handles, in the order of their definition
   std::size_t editable = 0;           ///< how many of both can be edited; the other ones are measures
   std::size_t mostLines = 0;          ///< more are not in a frame: one a scope of each parameter
@@ -41,6 +42,7 @@ struct Placer::State {
   struct Past {
     std::vector<History> histories;   ///< one a parameter
     std::vector<Sight> sights;        ///< one a scope
+    PlacingOrder placingOrder;
     LookAhead lookAhead;
     LabelMemory labels;
     Mending mending;
@@ -87,6 +89,8 @@ struct Placer::State {
   void findVisible(const View& view, const ScopeVisibility* visibility, int framesOn);
   void placeOnce(const FrameToPlace& frame, bool sceneChanged, bool shown, Layout& layout);
   void mend(const FrameToPlace& frame, Layout& layout);
+  template <typename Change, typename Stays>
+  void attempt(const FrameToPlace& frame, Layout& layout, Change change, Stays stays);
   void swapWithBest(Layout& layout);
   void placeWithRoom(const FrameToPlace& frame, Layout& layout);
 

@@ -40,7 +40,7 @@ double thresholdFactor(const Measured& measured, const ChoiceContext& context) {
 
 ChosenLine chosenLine(const Candidate& c) { return {c.scope, c.base, c.baseScreen, c.foot, c.footScreen, c.line, c.lineScreen, std::nullopt, {}}; }
 
-Trial::AmongOthers Trial::amongOthers(const Candidate& candidate, const ChoiceContext& context, double enough) {
+Trial::AmongOthers Trial::amongOthers(const Candidate& candidate, const Measured& measured, const ChoiceContext& context, double enough) {
   const Segment2& base = candidate.baseScreen;
   const Segment2& foot = candidate.footScreen;
   const Segment2& line = candidate.lineScreen;
@@ -49,8 +49,9 @@ Trial::AmongOthers Trial::amongOthers(const Candidate& candidate, const ChoiceCo
   const Landed::Crossings& landed = found.landed;
   found.score += (landed.lines ? kScoreIntersect : 0.0) + (landed.extensions ? kScoreCrossesExtension : 0.0) + (landed.labels ? kScoreCoversLabel : 0.0);
   if (found.score <= enough) return found;
-  found.nestsWithin = others.nestsWithin(base, line, candidate.guide);
-  if (found.nestsWithin) found.score += kScoreNestsWithin;
+  const double lengthM = candidate.identity.chain >= 0 ? measured.meanLengthM : candidate.base.length();
+  found.nestsWrongly = others.nestsWrongly(base, line, lengthM, candidate.guide);
+  if (found.nestsWrongly) found.score += kScoreNestsWrongly;
   const Landed::Crossings ahead = context.lookAhead.crossings(base, foot, line);
   found.crossesAhead = ahead.extensions;
   found.score += (ahead.lines ? kScoreIntersect : 0.0) + (ahead.extensions ? kScoreCrossesAhead : 0.0);
@@ -86,7 +87,7 @@ void Trial::pushClear(Candidate& candidate, AmongOthers& among, const Measured& 
   AmongOthers amongThere;
   const auto look = [&] {
     if (!expand(pushed, measured, context)) return false;
-    amongThere = amongOthers(pushed, context, -std::numeric_limits<double>::infinity());
+    amongThere = amongOthers(pushed, measured, context, -std::numeric_limits<double>::infinity());
     if (lines_.size() > 1) addMembers(amongThere, context);
     return true;
   };

@@ -58,12 +58,12 @@ class Trial {
   struct AmongOthers {
     double score = 0;             ///< px
     Landed::Crossings landed;
-    bool nestsWithin = false;
+    bool nestsWrongly = false;
     bool crossesAhead = false;    ///< one ahead, in place of one that has landed: an extension line with a line
     [[nodiscard]] bool tangled() const { return landed.extensions || crossesAhead; }
   };
   /// Of its own line; of a score that comes to `enough` or less, no more is worked out.
-  [[nodiscard]] static AmongOthers amongOthers(const Candidate& candidate, const ChoiceContext& context, double enough);
+  [[nodiscard]] static AmongOthers amongOthers(const Candidate& candidate, const Measured& measured, const ChoiceContext& context, double enough);
 
   /// Expands a candidate to lines() and gives it a label, moving it further out where the label has no room. False when there is none.
   bool settle(Candidate& candidate, const Measured& measured, const ChoiceContext& context);

@@ -7,10 +7,12 @@ using namespace dimline;
 namespace {
 
 constexpr int kGuide = 3;
+constexpr double kShortM = 2;
 
-/// A line 100 px long at y = 40 that has moved up from its base line at y = 100, and lies on a guide.
+/// A line 2 m and 100 px long at y = 40 that has moved up from its base line at y = 100, and lies on a guide.
 Landed withShortLine() {
   PlacedLine line;
+  line.lengthM = kShortM;
   line.baseScreen = {{100, 100}, {200, 100}};
   line.lineScreen = {{100, 40}, {200, 40}};
   Landed landed;
@@ -22,18 +24,32 @@ Landed::Tangle tangle(const Landed& landed, const Segment2& base, const Segment2
 
 }  // namespace
 
-TEST_CASE("a line nests within one that has landed when it is nearer to the model, beside it on the same side") {
+TEST_CASE("a longer line nests wrongly when it is nearer to the model than a shorter one beside it on the same side") {
   const Landed landed = withShortLine();
   const Segment2 base{{50, 100}, {300, 100}};
-  CHECK(landed.nestsWithin(base, {{50, 70}, {300, 70}}, -1));
-  CHECK(landed.nestsWithin(base, {{300, 70}, {50, 70}}, -1));                                  // drawn the other way round
-  CHECK(landed.nestsWithin(base, {{50, 70}, {300, 84}}, -1));                                  // 3 degrees off looks parallel
-  CHECK_FALSE(landed.nestsWithin(base, {{50, 10}, {300, 10}}, -1));                            // farther out
-  CHECK_FALSE(landed.nestsWithin(base, {{50, 130}, {300, 130}}, -1));                          // on the other side
-  CHECK_FALSE(landed.nestsWithin(base, {{50, 70}, {300, 70}}, kGuide));                        // on one guide
-  CHECK_FALSE(landed.nestsWithin({{201, 100}, {300, 100}}, {{201, 70}, {300, 70}}, -1));       // past its end
-  CHECK_FALSE(landed.nestsWithin({{150, 100}, {150, 300}}, {{150, 45}, {150, 245}}, -1));      // at right angles to it
-  CHECK_FALSE(landed.nestsWithin(base, {{50, 70}, {50, 70}}, -1));                             // a line of no length
+  const auto nestsWrongly = [&](const Segment2& line, int guide = -1) { return landed.nestsWrongly(base, line, 2 * kShortM, guide); };
+  CHECK(nestsWrongly({{50, 70}, {300, 70}}));
+  CHECK(nestsWrongly({{300, 70}, {50, 70}}));                  // drawn the other way round
+  CHECK(nestsWrongly({{50, 70}, {300, 84}}));                  // 3 degrees off looks parallel
+  CHECK_FALSE(nestsWrongly({{50, 10}, {300, 10}}));            // farther out
+  CHECK_FALSE(nestsWrongly({{50, 130}, {300, 130}}));          // on the other side
+  CHECK_FALSE(nestsWrongly({{50, 70}, {300, 70}}, kGuide));    // on one guide
+  CHECK_FALSE(nestsWrongly({{50, 70}, {50, 70}}));             // a line of no length
+  CHECK_FALSE(landed.nestsWrongly({{201, 100}, {300, 100}}, {{201, 70}, {300, 70}}, 2 * kShortM, -1));    // past its end
+  CHECK_FALSE(landed.nestsWrongly({{150, 100}, {150, 300}}, {{150, 45}, {150, 245}}, 2 * kShortM, -1));   // at right angles to it
+}
+
+TEST_CASE("a shorter line nests wrongly when a longer one that has landed is nearer to the model; lines of one length never do") {
+  const Landed landed = withShortLine();
+  const Segment2 base{{100, 100}, {200, 100}};
+  const Segment2 nearer{{100, 70}, {200, 70}};
+  const Segment2 farther{{100, 10}, {200, 10}};
+  CHECK(landed.nestsWrongly(base, farther, 0.5 * kShortM, -1));
+  CHECK_FALSE(landed.nestsWrongly(base, nearer, 0.5 * kShortM, -1));
+  for (const double factor : {1 / 1.005, 1.0, 1.005}) {
+    CHECK_FALSE(landed.nestsWrongly(base, farther, factor * kShortM, -1));
+    CHECK_FALSE(landed.nestsWrongly(base, nearer, factor * kShortM, -1));
+  }
 }
 
 TEST_CASE("neighbours in a chain land the extension line between them once, and go back together") {

@@ -44,10 +44,27 @@ struct TwoLines {
     }
     model.buildTrees();
   }
-  void begin(bool changed) { lookAhead.begin(order, plan(), model, changed); }
+  void begin(bool changed, bool shown = true) {
+    lookAhead.begin(changed, shown);
+    project({0, 1});
+  }
+  void project(const std::vector<std::uint32_t>& ranks) { lookAhead.project(order, ranks, plan(), model); }
 };
 
 }  // namespace
+
+TEST_CASE("in another order it is the shorter line that comes after the longer one") {
+  TwoLines stage;
+  stage.begin(true);
+  stage.lookAhead.note(0, world(420, 400, 580, 400), world(420, 400, 580, 400), world(420, 350, 580, 350));
+  stage.begin(true);
+  stage.project({1, 0});
+  const Segment2 across = screen(500, 300, 500, 370);
+  stage.lookAhead.reach(1);
+  CHECK(stage.lookAhead.crossings(across, across, across).lines);
+  stage.lookAhead.reach(0);
+  CHECK_FALSE(stage.lookAhead.crossings(across, across, across).lines);
+}
 
 TEST_CASE("a line sees the places of those after it, not its own and not those before") {
   TwoLines stage;
@@ -161,7 +178,7 @@ TEST_CASE("where nobody sees it a line ahead may give way to a label, but not le
   stage.begin(true);
   stage.lookAhead.note(1, world(420, 400, 580, 400), world(420, 400, 580, 400), world(420, 350, 580, 350));
   for (const bool changed : {true, false, false}) {
-    stage.lookAhead.begin(stage.order, plan(), stage.model, changed, !changed);
+    stage.begin(changed, !changed);
     stage.lookAhead.reach(0);
     const auto leavesRoom = [&](double x, double y) { return stage.lookAhead.leavesRoom({{x - 10, y - 5}, {x + 10, y + 5}}); };
     CHECK(leavesRoom(500, 350));         // on the line

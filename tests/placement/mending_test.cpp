@@ -46,6 +46,66 @@ TEST_CASE("to run across an extension line for good costs more than to change on
   CHECK(kScoreInside < kScoreTangle);
 }
 
+TEST_CASE("more may change for a picture in which no line runs across something than for one less that does") {
+  const auto with = [](int tangles) {
+    Outcome outcome = allOutside();
+    outcome.tangles = tangles;
+    return outcome;
+  };
+  Outcome oneLess = with(1);
+  oneLess.changes = 2;
+  CHECK_FALSE(oneLess.betterThan(with(2)));
+  Outcome none = with(0);
+  none.changes = 2;
+  CHECK(none.betterThan(with(1)));
+  CHECK_FALSE(with(1).betterThan(none));
+  Outcome nested = with(0);
+  nested.nestedWrongly = 1;
+  CHECK(with(0).betterThan(nested));
+}
+
+TEST_CASE("of two lines in a tangle the later one is to be placed before the earlier one, pair by pair") {
+  Outcome outcome = allOutside();
+  outcome.tangles = 2;
+  outcome.tangled = {{0, 2}, {1, 3}};
+  Mending mending = restedFor(1);
+  std::vector<std::pair<std::size_t, std::size_t>> put;
+  for (int frame = 0; frame < 3; ++frame) {
+    const auto order = mending.nextOrder(outcome, true);
+    REQUIRE(order);
+    CHECK_FALSE(order->shortestFirst);
+    put.emplace_back(order->rank, order->before);
+  }
+  CHECK(put == std::vector<std::pair<std::size_t, std::size_t>>{{2, 0}, {3, 1}, {2, 0}});
+}
+
+TEST_CASE("where nothing is amiss the shortest come first again, if not at once") {
+  const Outcome fine = allOutside();
+  Mending mending = restedFor(1);
+  CHECK_FALSE(mending.nextOrder(fine, true));
+  int back = 0;
+  for (int frame = 0; frame < 2 * kShortestFirstEvery; ++frame) {
+    const auto order = mending.nextOrder(fine, false);
+    if (order && order->shortestFirst) ++back;
+  }
+  CHECK(back == 2);
+}
+
+TEST_CASE("while lines are in a tangle the shortest come first again only where that order may have nested lines wrongly") {
+  Outcome outcome = allOutside();
+  outcome.tangles = 1;
+  outcome.tangled = {{0, 2}};
+  const auto goesBack = [&] {
+    Mending mending = restedFor(1);
+    bool back = false;
+    for (int frame = 0; frame < kShortestFirstEvery; ++frame) back = mending.nextOrder(outcome, false)->shortestFirst || back;
+    return back;
+  };
+  CHECK_FALSE(goesBack());
+  outcome.nestedWrongly = 1;
+  CHECK(goesBack());
+}
+
 TEST_CASE("a line that has changed is looked at first, then those with which something is amiss, in turns") {
   Outcome outcome = allOutside();
   outcome.changed[2] = 1;

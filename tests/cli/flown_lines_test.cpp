@@ -1,0 +1,50 @@
+#include <catch2/catch.hpp>
+#include <sstream>
+
+#include "cli/audit_flight.h"
+#include "cli/audit_geometry.h"
+#include "cli/load_model.h"
+
+using namespace dimline;
+
+namespace {
+
+bool crossesExtension(const Layout& layout, const PlacedLine& line) {
+  for (const PlacedLine& other : layout.lines) {
+    if (&other == &line) continue;
+    for (const auto* extension : {&other.extensionStart, &other.extensionEnd}) {
+      for (std::size_t k = 1; k < extension->size(); ++k) {
+        if (crossEachOther(line.lineScreen, {(*extension)[k - 1], (*extension)[k]})) return true;
+      }
+    }
+  }
+  return false;
+}
+
+/// Of all lines in a flight's frames, the share that runs across another's extension line.
+double crossingShare(std::string_view name, std::uint64_t flight) {
+  std::ostringstream errors;
+  const auto model = loadModel(name, errors);
+  REQUIRE(model);
+  const Values values(model->parameters());
+  const Scene scene = model->definition.build(values);
+  AuditTally tally;
+  const FlownFlight flown = fly(*model, scene, values, randomFlight(scene.bounds, flight), tally);
+  std::size_t lines = 0;
+  std::size_t crossing = 0;
+  for (const Layout& layout : flown.layouts) {
+    lines += layout.lines.size();
+    crossing += static_cast<std::size_t>(std::ranges::count_if(layout.lines, [&](const PlacedLine& line) { return crossesExtension(layout, line); }));
+  }
+  REQUIRE(lines > 500);
+  return static_cast<double>(crossing) / static_cast<double>(lines);
+}
+
+}  // namespace
+
+// With the shortest lines always first these shares are 1.5 %, 2.8 % and 2.4 %.
+TEST_CASE("in flights, lines that would run across others' extension lines are placed in another order") {
+  CHECK(crossingShare("lever", 6) < 0.005);
+  CHECK(crossingShare("lever", 0) < 0.01);
+  CHECK(crossingShare("helix-house", 8) < 0.01);
+}
