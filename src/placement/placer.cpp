@@ -187,28 +187,30 @@ void Placer::State::mend(const FrameToPlace& frame, Layout& layout) {
   mending.begin();
   while (const auto rank = mending.next(outcome)) {
     avoided = {*rank, past.histories[order[*rank].parameter].last()};
-    // One that has no other place outside would be back in its own in the next frame.
-    attempt(frame, layout, [] {}, [&] { return outcome.outside[*rank] != 0 && outcome.betterThan(bestOutcome); });
+    beginAttempt(layout);
+    placeWithRoom(frame, layout);
     avoided.reset();
+    // One that has no other place outside would be back in its own in the next frame.
+    if (outcome.outside[*rank] == 0 || !outcome.betterThan(bestOutcome)) swapWithBest(layout);
   }
   if (const auto other = mending.nextOrder(outcome, past.placingOrder.isShortestFirst())) {
-    const auto reorder = [&] {
-      other->shortestFirst ? past.placingOrder.forget() : past.placingOrder.put(other->rank, other->before);
-      past.lookAhead.project(order, past.placingOrder.ranks(), frame.view, frame.fields);
-    };
-    attempt(frame, layout, reorder, [&] { return other->shortestFirst ? !bestOutcome.betterThan(outcome) : outcome.betterThan(bestOutcome); });
+    beginAttempt(layout);
+    if (other->shortestFirst) {
+      past.placingOrder.forget();
+    } else {
+      past.placingOrder.put(other->rank, other->before);
+    }
+    past.lookAhead.project(order, past.placingOrder.ranks(), frame.view, frame.fields);
+    placeWithRoom(frame, layout);
+    if (other->shortestFirst ? bestOutcome.betterThan(outcome) : !outcome.betterThan(bestOutcome)) swapWithBest(layout);
   }
   past.mending = mending;
 }
 
-/// Another attempt at the frame, which `change` prepares; it takes the place of the best one if it `stays`.
-template <typename Change, typename Stays>
-void Placer::State::attempt(const FrameToPlace& frame, Layout& layout, Change change, Stays stays) {
+/// What was placed is the best so far, and all is again as it was before.
+void Placer::State::beginAttempt(Layout& layout) {
   swapWithBest(layout);
   past = beforeAttempts;
-  change();
-  placeWithRoom(frame, layout);
-  if (!stays()) swapWithBest(layout);
 }
 
 void Placer::State::swapWithBest(Layout& layout) {

@@ -89,8 +89,7 @@ struct Placer::State {
   void findVisible(const View& view, const ScopeVisibility* visibility, int framesOn);
   void placeOnce(const FrameToPlace& frame, bool sceneChanged, bool shown, Layout& layout);
   void mend(const FrameToPlace& frame, Layout& layout);
-  template <typename Change, typename Stays>
-  void attempt(const FrameToPlace& frame, Layout& layout, Change change, Stays stays);
+  void beginAttempt(Layout& layout);
   void swapWithBest(Layout& layout);
   void placeWithRoom(const FrameToPlace& frame, Layout& layout);
 
