@@ -111,7 +111,7 @@ inline constexpr int kReturnFrames = 20;
 /// Beyond the paper (placement/mending.h): what each line that changes its place costs an attempt to mend a frame; a leap counts as so many changes, and going back to what was left within
 /// kReturnFrames as so many more. Less: lines change places for a small gain. More: what is amiss stays until a place is lost.
 inline constexpr double kScoreChange = -13.0 * kHandleSpacingPx;
-inline constexpr double kChangesOfLeap = 2.5;
+inline constexpr double kChangesOfLeap = 3.0;
 inline constexpr double kChangesOfReturn = 8.0;
 /// The same, as a share, where it leaves no line at all that runs across another's extension line, since a picture without is read at a glance. Less: more such pictures, and more changes. For the last
 /// of them alone: at a low price for all, lines change places without end where they are so crowded that some stay in each other's way.
