@@ -111,7 +111,7 @@ inline constexpr int kReturnFrames = 20;
 /// Beyond the paper (placement/mending.h): what each line that changes its place costs an attempt to mend a frame; a leap counts as so many changes, and going back to what was left within
 /// kReturnFrames as so many more. Less: lines change places for a small gain. More: what is amiss stays until a place is lost.
 inline constexpr double kScoreChange = -13.0 * kHandleSpacingPx;
-inline constexpr double kChangesOfLeap = 3.0;
+inline constexpr double kChangesOfLeap = 3.5;
 inline constexpr double kChangesOfReturn = 8.0;
 /// The same, as a share, where it leaves no line at all that runs across another's extension line, since a picture without is read at a glance. Less: more such pictures, and more changes. For the last
 /// of them alone: at a low price for all, lines change places without end where they are so crowded that some stay in each other's way.
@@ -135,6 +135,11 @@ inline constexpr double kScoreHiddenScope = -10.0 * kHandleSpacingPx;
 inline constexpr int kMendingAttempts = 2;
 /// One in so many attempts in another order goes back to the shortest first. Fewer: an order of long ago stays when it no longer helps. More: it costs time.
 inline constexpr int kShortestFirstEvery = 3;
+/// Attempts more at a frame in which no more than so many lines run across others' extension lines, each drawn at random: who looks for another place, and the order, in which at most so many lines come
+/// before a shorter one. More attempts: a tenth fewer such lines for twice as many, and frames with one cost more. More lines: where it is crowded each frame is placed many times, for little.
+inline constexpr int kShuffles = 4;
+inline constexpr int kMostTanglesToShuffle = 2;
+inline constexpr std::size_t kMostPuts = 3;
 /// How often a first picture is placed, the second time with a view to what was placed in the first. More: fewer lines across others' extension lines, and fewer of those through numbers; it takes longer.
 inline constexpr int kFirstPictureRounds = 2;
 /// Moved frames after which any line may look for a better place, though nothing is amiss with it.
@@ -153,10 +158,10 @@ inline constexpr double kFrameTurnRad = 0.0174;
 /// the score's other terms tell apart by such numbers.
 inline constexpr double kForesightRad = 0.349;
 inline constexpr double kForesightZoom = 1.6;
-inline constexpr double kScoreSoonGone = -9.9 * kHandleSpacingPx;
+inline constexpr double kScoreSoonGone = -10.9 * kHandleSpacingPx;
 /// At how many views on that way a place is looked at: the sooner it is lost, the more it costs. While the picture grows, one side of the viewport after the other has no room any more, and of places that
 /// are all lost soon the one that lasts longest is wanted: there it is looked at more often, each time twice as far ahead, and what is lost costs so many times more. More looks cost time.
-inline constexpr int kLooksAheadTurning = 2;
+inline constexpr int kLooksAheadTurning = 3;
 inline constexpr int kLooksAheadZooming = 6;
 inline constexpr double kSoonGoneZooming = 3.5;
 /// A line inside the model does not come out to a place that is lost before the view has turned by kForesightRad or zoomed by this; while the camera comes nearer one base line of a row comes before

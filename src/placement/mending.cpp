@@ -1,5 +1,7 @@
 #include "placement/mending.h"
 
+#include <utility>
+
 #include "core/constants.h"
 
 namespace dimline {
@@ -41,16 +43,30 @@ bool Outcome::betterThan(const Outcome& other) const {
 }
 
 void Mending::begin() {
-  attempts_ = 0;
+  looks_ = 0;
   first_.reset();
+  ordered_ = false;
+  shuffles_ = 0;
   ++frames_;
 }
 
-std::optional<std::size_t> Mending::next(const Outcome& outcome) {
-  if (attempts_ >= kMendingAttempts) return std::nullopt;
+std::optional<Attempt> Mending::next(const Outcome& outcome, bool shortestFirst) {
+  if (looks_ < kMendingAttempts) {
+    if (const auto rank = nextToLook(outcome)) return Attempt{.looks = rank};
+    looks_ = kMendingAttempts;
+  }
+  if (!std::exchange(ordered_, true)) {
+    if (const auto order = nextOrder(outcome, shortestFirst)) return order;
+  }
+  if (shuffles_ == kShuffles || outcome.tangled.empty() || outcome.tangles > kMostTanglesToShuffle) return std::nullopt;
+  ++shuffles_;
+  return shuffle(outcome);
+}
+
+std::optional<std::size_t> Mending::nextToLook(const Outcome& outcome) {
   const std::size_t ranks = outcome.outside.size();
   const auto outsideAnd = [&](const std::vector<char>& flags) { return [&](std::size_t rank) { return outcome.outside[rank] != 0 && flags[rank] != 0; }; };
-  if (attempts_++ == 0) {
+  if (looks_++ == 0) {
     std::size_t last = ranks - 1;   // the shortest of them comes first
     first_ = nextInTurn(ranks, last, outsideAnd(outcome.changed));
     if (!first_ && frames_ >= kFramesToLookAround) {
@@ -64,14 +80,31 @@ std::optional<std::size_t> Mending::next(const Outcome& outcome) {
   return nextInTurn(ranks, lastAmiss_, [&](std::size_t rank) { return rank != first_ && outcome.outside[rank] != 0 && outcome.amiss[rank] != 0; });
 }
 
-std::optional<Mending::Order> Mending::nextOrder(const Outcome& outcome, bool shortestFirst) {
+std::optional<Attempt> Mending::nextOrder(const Outcome& outcome, bool shortestFirst) {
   const bool back = !shortestFirst && (outcome.tangled.empty() || outcome.nestedWrongly > 0);
   if (outcome.tangled.empty() && !back) return std::nullopt;
   const std::size_t turn = orders_++;
-  if (back && turn % kShortestFirstEvery == 0) return Order{.shortestFirst = true};
+  if (back && turn % kShortestFirstEvery == 0) return Attempt{.shortestFirst = true, .winsTies = true};
   if (outcome.tangled.empty()) return std::nullopt;
   const auto [earlier, later] = outcome.tangled[turn % outcome.tangled.size()];
-  return Order{.rank = later, .before = earlier};
+  return Attempt{.puts = {{{.rank = later, .before = earlier}}}, .putCount = 1};
+}
+
+/// Mostly another order, and mostly someone who looks for another place, both rather of lines that are in a tangle.
+Attempt Mending::shuffle(const Outcome& outcome) {
+  const std::size_t ranks = outcome.outside.size();
+  const auto [earlier, later] = outcome.tangled[anyOf(outcome.tangled.size())];
+  Attempt attempt{.shortestFirst = anyOf(4) == 0};
+  attempt.putCount = anyOf(kMostPuts + 1);
+  attempt.puts[0] = {.rank = later, .before = earlier};
+  for (std::size_t i = 1; i < attempt.putCount; ++i) {
+    const std::size_t rank = anyOf(ranks);
+    attempt.puts[i] = {.rank = rank, .before = (rank + 1 + anyOf(ranks - 1)) % ranks};
+  }
+  // One time in three nobody looks.
+  const std::array looks{later, earlier, anyOf(ranks), anyOf(ranks)};
+  if (const std::size_t i = anyOf(6); i < looks.size()) attempt.looks = looks[i];
+  return attempt;
 }
 
 }  // namespace dimline

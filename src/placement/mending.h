@@ -1,9 +1,13 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <optional>
+#include <random>
 #include <utility>
 #include <vector>
+
+#include "core/constants.h"
 
 namespace dimline {
 
@@ -15,7 +19,7 @@ struct Outcome {
   int nestedWrongly = 0;        ///< how many lines have a shorter one outside, or a longer one within
   std::vector<char> changed;    ///< one a rank: it is among those
   std::vector<char> outside;    ///< one a rank: it has a place outside the model
-  std::vector<char> amiss;      ///< one a rank: it runs across another's extension line, or another across one of its own, or a longer line lies within a shorter one
+  std::vector<char> amiss;      ///< one a rank: it runs across another's extension line, or another across one of its own, or it is nested wrongly
 
   /// The ranks of two lines one of which runs across the other's extension line, in the order in which they were placed.
   using Tangled = std::pair<std::size_t, std::size_t>;
@@ -26,33 +30,50 @@ struct Outcome {
   [[nodiscard]] bool betterThan(const Outcome& other) const;
 };
 
+/// Another attempt at a frame: what is to be done otherwise than in the best one so far.
+struct Attempt {
+  /// The line of one rank is to be placed before that of another.
+  struct Put {
+    std::size_t rank = 0, before = 0;
+  };
+  std::optional<std::size_t> looks = std::nullopt;   ///< the rank of the line that must find another place than it has
+  bool shortestFirst = false;                        ///< the shortest come first again, before anyone is put before others
+  bool winsTies = false;                             ///< it is kept unless it is worse; others are when they are better
+  std::array<Put, kMostPuts> puts{};
+  std::size_t putCount = 0;                          ///< how many of these are meant
+};
+
 /// Whose place is looked at again. The paper's greedy order (4.5) leaves lines that run across others' extension lines where another order would not, and shifts many
 /// lines for the good of one. So lines stand firm from frame to frame as long as their places are any, and in each moved frame a few attempts let one line look
-/// for another place, with all that follows from it, or two lines be placed in another order; the best attempt is kept. A repair step, which the paper names as future work, spread over frames.
+/// for another place, with all that follows from it, or place the lines in another order; the best attempt is kept. A repair step, which the paper names as future work, spread over frames.
 class Mending {
  public:
   /// A moved frame begins.
   void begin();
-  /// The rank of the line that shall look for another place in the next attempt at this frame: in the first a line that has just changed its place, since what pushed
-  /// it may have a better place as well, or else, every kFramesToLookAround frames, any; otherwise those with which something is amiss, in turns. Nothing when nobody needs to. `outcome`: of
-  /// the best attempt so far.
-  std::optional<std::size_t> next(const Outcome& outcome);
-  /// Another order of placing: the line of one rank before that of another, or the shortest first again.
-  struct Order {
-    bool shortestFirst = false;
-    std::size_t rank = 0, before = 0;
-  };
-  /// The order to be tried after all attempts of next(): of two lines that are in a tangle the later one first, in turns; or, now and then, the shortest first again, if it is not so now. That one may stay even
-  /// when it is no better.
-  std::optional<Order> nextOrder(const Outcome& outcome, bool shortestFirst);
+  /// What is to be tried next, nothing when that was all. `outcome`: of the best attempt so far; `shortestFirst`: whether it placed the shortest lines first.
+  /// First one line looks for another place: one that has just changed its place, since what pushed it may have a better place as well, or else, every kFramesToLookAround frames, any; otherwise
+  /// those with which something is amiss, in turns. Then, of two lines that are in a tangle, the later one comes first, in turns; or, now and then, the shortest first again, if it is not so. Where few are
+  /// in a tangle kShuffles attempts at random come last: of what those in turns do not find they find as much as any other rule did, and they do not try the same in every frame.
+  std::optional<Attempt> next(const Outcome& outcome, bool shortestFirst);
 
  private:
-  int attempts_ = 0;             ///< at this frame so far
-  std::optional<std::size_t> first_;   ///< who looked in the first of them
-  int frames_ = 0;               ///< since any line was looked at
-  std::size_t lastAmiss_ = 0;    ///< whose turn it was
+  std::optional<std::size_t> nextToLook(const Outcome& outcome);
+  std::optional<Attempt> nextOrder(const Outcome& outcome, bool shortestFirst);
+  Attempt shuffle(const Outcome& outcome);
+  std::size_t anyOf(std::size_t count) { return dice_() % count; }
+
+  // At this frame so far.
+  int looks_ = 0;
+  std::optional<std::size_t> first_;   ///< who looked first
+  bool ordered_ = false;               ///< another order was asked for
+  int shuffles_ = 0;
+
+  // Whose turn it was.
+  int frames_ = 0;                     ///< since any line was looked at
+  std::size_t lastAmiss_ = 0;
   std::size_t lastOfAll_ = 0;
-  std::size_t orders_ = 0;       ///< tried so far
+  std::size_t orders_ = 0;             ///< frames in which another order was wanted
+  std::minstd_rand dice_;              ///< the same numbers on every machine, so that a flight gives the same pictures twice
 };
 
 }  // namespace dimline

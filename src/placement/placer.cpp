@@ -181,36 +181,31 @@ void Placer::State::placeOnce(const FrameToPlace& frame, bool sceneChanged, bool
   if (mends) mend(frame, layout);
 }
 
-/// Other attempts at the frame that has been placed, in each of which one line must find another place, and one in another order; the best one stays.
+/// Other attempts at the frame that has been placed; the best one stays.
 void Placer::State::mend(const FrameToPlace& frame, Layout& layout) {
   Mending mending = past.mending;
   mending.begin();
-  while (const auto rank = mending.next(outcome)) {
-    avoided = {*rank, past.histories[order[*rank].parameter].last()};
+  while (const auto attempt = mending.next(outcome, past.placingOrder.isShortestFirst())) {
+    if (attempt->looks) avoided = {*attempt->looks, past.histories[order[*attempt->looks].parameter].last()};
     beginAttempt(layout);
+    if (attempt->shortestFirst) past.placingOrder.forget();
+    for (const auto& [rank, before] : std::span(attempt->puts).first(attempt->putCount)) past.placingOrder.put(rank, before);
+    past.lookAhead.project(order, past.placingOrder.ranks(), frame.view, frame.fields);
     placeWithRoom(frame, layout);
     avoided.reset();
     // One that has no other place outside would be back in its own in the next frame.
-    if (outcome.outside[*rank] == 0 || !outcome.betterThan(bestOutcome)) swapWithBest(layout);
-  }
-  if (const auto other = mending.nextOrder(outcome, past.placingOrder.isShortestFirst())) {
-    beginAttempt(layout);
-    if (other->shortestFirst) {
-      past.placingOrder.forget();
-    } else {
-      past.placingOrder.put(other->rank, other->before);
-    }
-    past.lookAhead.project(order, past.placingOrder.ranks(), frame.view, frame.fields);
-    placeWithRoom(frame, layout);
-    if (other->shortestFirst ? bestOutcome.betterThan(outcome) : !outcome.betterThan(bestOutcome)) swapWithBest(layout);
+    const bool hasNone = attempt->looks && outcome.outside[*attempt->looks] == 0;
+    const bool wins = attempt->winsTies ? !bestOutcome.betterThan(outcome) : outcome.betterThan(bestOutcome);
+    if (hasNone || !wins) swapWithBest(layout);
   }
   past.mending = mending;
 }
 
-/// What was placed is the best so far, and all is again as it was before.
+/// What was placed is the best so far, and all but its order is again as it was before.
 void Placer::State::beginAttempt(Layout& layout) {
   swapWithBest(layout);
   past = beforeAttempts;
+  past.placingOrder = bestPast.placingOrder;
 }
 
 void Placer::State::swapWithBest(Layout& layout) {

@@ -282,8 +282,9 @@ TEST_CASE("a feature whose faces turn away costs a share, and one that no faces 
   BaseLine front = edge();
   front.faces.push_back({0, 0, 1});
   CHECK(priceOutside(turnedBy(60), turnedBy(61), middle, front) == 0);
-  CHECK(priceOutside(turnedBy(78), turnedBy(79), middle, front) == 0.5 * kTurnedAwayShare * kScoreSoonGone);   // at the second look of two
-  CHECK(priceOutside(turnedBy(88), turnedBy(89), middle, front) == kTurnedAwayShare * kScoreSoonGone);
+  // It counts as turned away from 95.7 degrees on. Three looks, the last 19 frames ahead: at 85, 92 and 98 degrees; and at 97 and further on.
+  CHECK(priceOutside(turnedBy(78), turnedBy(79), middle, front) == Approx(kTurnedAwayShare * kScoreSoonGone / 3));
+  CHECK(priceOutside(turnedBy(90), turnedBy(91), middle, front) == kTurnedAwayShare * kScoreSoonGone);
   CHECK(priceOutside(turnedBy(88), turnedBy(89), middle, edge()) == 0);
 }
 

@@ -1,6 +1,9 @@
 #include "placement/mending.h"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
+#include <utility>
+#include <vector>
 
 #include "core/constants.h"
 
@@ -17,11 +20,53 @@ Outcome allOutside() {
   return outcome;
 }
 
-/// A moved frame in which nobody needs to look for another place, long after any did.
+/// Two lines in each of so many tangles, of which the first are those of ranks 0 and 2, and 1 and 3.
+Outcome tangled(int tangles) {
+  Outcome outcome = allOutside();
+  outcome.tangles = tangles;
+  outcome.tangled = {{0, 2}, {1, 3}};
+  return outcome;
+}
+
+constexpr int kTooManyToShuffle = kMostTanglesToShuffle + 1;
+
+/// Before the frames of a movement, some of which have been already.
 Mending restedFor(int frames) {
   Mending mending;
   for (int i = 0; i < frames; ++i) mending.begin();
   return mending;
+}
+
+/// All attempts at one more moved frame, none of which is any better.
+std::vector<Attempt> attemptsAt(Mending& mending, const Outcome& outcome, bool shortestFirst = true) {
+  std::vector<Attempt> attempts;
+  mending.begin();
+  while (const auto attempt = mending.next(outcome, shortestFirst)) attempts.push_back(*attempt);
+  return attempts;
+}
+
+/// The ranks of those who look for another place.
+std::vector<std::size_t> looksOf(const std::vector<Attempt>& attempts) {
+  std::vector<std::size_t> looks;
+  for (const Attempt& attempt : attempts) {
+    if (attempt.looks) looks.push_back(*attempt.looks);
+  }
+  return looks;
+}
+
+/// Those of them in which nobody looks: they are about the order.
+std::vector<Attempt> ordersOf(const std::vector<Attempt>& attempts) {
+  std::vector<Attempt> orders;
+  for (const Attempt& attempt : attempts) {
+    if (!attempt.looks) orders.push_back(attempt);
+  }
+  return orders;
+}
+
+bool same(const Attempt& a, const Attempt& b) {
+  const auto samePut = [](const Attempt::Put& p, const Attempt::Put& q) { return p.rank == q.rank && p.before == q.before; };
+  return a.looks == b.looks && a.shortestFirst == b.shortestFirst && a.putCount == b.putCount &&
+         std::equal(a.puts.begin(), a.puts.begin() + static_cast<std::ptrdiff_t>(a.putCount), b.puts.begin(), samePut);
 }
 
 }  // namespace
@@ -65,40 +110,44 @@ TEST_CASE("more may change for a picture in which no line runs across something 
 }
 
 TEST_CASE("of two lines in a tangle the later one is to be placed before the earlier one, pair by pair") {
-  Outcome outcome = allOutside();
-  outcome.tangles = 2;
-  outcome.tangled = {{0, 2}, {1, 3}};
-  Mending mending = restedFor(1);
+  const Outcome outcome = tangled(kTooManyToShuffle);
+  Mending mending;
   std::vector<std::pair<std::size_t, std::size_t>> put;
   for (int frame = 0; frame < 3; ++frame) {
-    const auto order = mending.nextOrder(outcome, true);
-    REQUIRE(order);
-    CHECK_FALSE(order->shortestFirst);
-    put.emplace_back(order->rank, order->before);
+    const auto orders = ordersOf(attemptsAt(mending, outcome));
+    REQUIRE(orders.size() == 1);
+    CHECK_FALSE(orders[0].shortestFirst);
+    CHECK_FALSE(orders[0].winsTies);
+    REQUIRE(orders[0].putCount == 1);
+    put.emplace_back(orders[0].puts[0].rank, orders[0].puts[0].before);
   }
   CHECK(put == std::vector<std::pair<std::size_t, std::size_t>>{{2, 0}, {3, 1}, {2, 0}});
 }
 
-TEST_CASE("where nothing is amiss the shortest come first again, if not at once") {
+TEST_CASE("where nothing is amiss the shortest come first again, if not at once, when that is no worse") {
   const Outcome fine = allOutside();
-  Mending mending = restedFor(1);
-  CHECK_FALSE(mending.nextOrder(fine, true));
+  Mending mending;
+  CHECK(ordersOf(attemptsAt(mending, fine)).empty());
   int back = 0;
   for (int frame = 0; frame < 2 * kShortestFirstEvery; ++frame) {
-    const auto order = mending.nextOrder(fine, false);
-    if (order && order->shortestFirst) ++back;
+    for (const Attempt& order : ordersOf(attemptsAt(mending, fine, false))) {
+      CHECK(order.shortestFirst);
+      CHECK(order.winsTies);
+      CHECK(order.putCount == 0);
+      ++back;
+    }
   }
   CHECK(back == 2);
 }
 
 TEST_CASE("while lines are in a tangle the shortest come first again only where that order may have nested lines wrongly") {
-  Outcome outcome = allOutside();
-  outcome.tangles = 1;
-  outcome.tangled = {{0, 2}};
+  Outcome outcome = tangled(kTooManyToShuffle);
   const auto goesBack = [&] {
-    Mending mending = restedFor(1);
+    Mending mending;
     bool back = false;
-    for (int frame = 0; frame < kShortestFirstEvery; ++frame) back = mending.nextOrder(outcome, false)->shortestFirst || back;
+    for (int frame = 0; frame < kShortestFirstEvery; ++frame) {
+      for (const Attempt& order : ordersOf(attemptsAt(mending, outcome, false))) back = back || order.shortestFirst;
+    }
     return back;
   };
   CHECK_FALSE(goesBack());
@@ -106,25 +155,73 @@ TEST_CASE("while lines are in a tangle the shortest come first again only where 
   CHECK(goesBack());
 }
 
+TEST_CASE("where few lines are in a tangle, more is tried at random: other places and other orders") {
+  Mending mending;
+  std::vector<Attempt> drawn;
+  for (int frame = 0; frame < 50; ++frame) {
+    std::vector<Attempt> attempts = attemptsAt(mending, tangled(1));
+    REQUIRE(attempts.size() >= kShuffles + 1);   // another order in turn, and perhaps someone who looks, come first
+    drawn.insert(drawn.end(), attempts.end() - kShuffles, attempts.end());
+  }
+  std::vector<int> looked(kRanks, 0);
+  int orders = 0;
+  int both = 0;
+  for (const Attempt& attempt : drawn) {
+    CHECK_FALSE(attempt.winsTies);
+    REQUIRE(attempt.putCount <= kMostPuts);
+    if (attempt.looks) {
+      REQUIRE(*attempt.looks < kRanks);
+      ++looked[*attempt.looks];
+    }
+    if (attempt.putCount > 0) {
+      ++orders;
+      both += attempt.looks ? 1 : 0;
+      const auto [rank, before] = attempt.puts[0];
+      CHECK(((rank == 2 && before == 0) || (rank == 3 && before == 1)));
+    }
+    for (std::size_t i = 0; i < attempt.putCount; ++i) {
+      CHECK(attempt.puts[i].rank < kRanks);
+      CHECK(attempt.puts[i].before < kRanks);
+      CHECK(attempt.puts[i].rank != attempt.puts[i].before);
+    }
+  }
+  for (const int times : looked) CHECK(times > 0);
+  CHECK(orders > 0);
+  CHECK(both > 0);
+  CHECK(std::ranges::any_of(drawn, &Attempt::shortestFirst));
+  CHECK_FALSE(std::ranges::all_of(drawn, &Attempt::shortestFirst));
+}
+
+TEST_CASE("what is tried at random is the same in every flight, and not the same in every frame") {
+  Mending one;
+  Mending other;
+  const std::vector<Attempt> first = attemptsAt(one, tangled(1));
+  const std::vector<Attempt> again = attemptsAt(other, tangled(1));
+  CHECK(std::ranges::equal(first, again, same));
+  const std::vector<Attempt> next = attemptsAt(one, tangled(1));
+  CHECK_FALSE(std::ranges::equal(first, next, same));
+  // A copy goes on as the original does.
+  Mending copy = one;
+  CHECK(std::ranges::equal(attemptsAt(one, tangled(1)), attemptsAt(copy, tangled(1)), same));
+}
+
 TEST_CASE("a line that has changed is looked at first, then those with which something is amiss, in turns") {
   Outcome outcome = allOutside();
   outcome.changed[2] = 1;
   outcome.amiss = {1, 0, 0, 1};
-  Mending mending = restedFor(1);
-  CHECK(mending.next(outcome) == 2);
-  CHECK(mending.next(outcome) == 3);
+  Mending mending;
+  CHECK(looksOf(attemptsAt(mending, outcome)) == std::vector<std::size_t>{2, 3});
   outcome.changed[2] = 0;
-  mending.begin();
-  CHECK(mending.next(outcome) == 0);
-  CHECK(mending.next(outcome) == 3);
+  CHECK(looksOf(attemptsAt(mending, outcome)) == std::vector<std::size_t>{0, 3});
 }
 
 TEST_CASE("a frame has a bounded number of attempts") {
-  Outcome outcome = allOutside();
+  Outcome outcome = tangled(1);
   outcome.amiss.assign(kRanks, 1);
-  Mending mending = restedFor(1);
-  for (int i = 0; i < kMendingAttempts; ++i) CHECK(mending.next(outcome).has_value());
-  CHECK_FALSE(mending.next(outcome).has_value());
+  Mending mending;
+  CHECK(attemptsAt(mending, outcome).size() == kMendingAttempts + 1 + kShuffles);
+  outcome.tangles = kTooManyToShuffle;
+  CHECK(attemptsAt(mending, outcome).size() == kMendingAttempts + 1);
 }
 
 TEST_CASE("when all is well, a line looks around now and then, each in its turn") {
@@ -132,13 +229,9 @@ TEST_CASE("when all is well, a line looks around now and then, each in its turn"
   Mending mending;
   std::vector<std::size_t> looked;
   for (int frame = 0; frame < kFramesToLookAround * static_cast<int>(kRanks); ++frame) {
-    mending.begin();
-    int attempts = 0;
-    while (const auto rank = mending.next(outcome)) {
-      looked.push_back(*rank);
-      ++attempts;
-    }
-    CHECK(attempts <= 1);
+    const std::vector<Attempt> attempts = attemptsAt(mending, outcome);
+    CHECK(attempts.size() <= 1);
+    for (const std::size_t rank : looksOf(attempts)) looked.push_back(rank);
   }
   CHECK(looked == std::vector<std::size_t>{1, 2, 3, 0});
 }
@@ -149,12 +242,12 @@ TEST_CASE("a line without a place outside is not asked to find another") {
   outcome.changed.assign(kRanks, 1);
   outcome.amiss.assign(kRanks, 1);
   Mending mending = restedFor(kFramesToLookAround);
-  CHECK_FALSE(mending.next(outcome).has_value());
+  CHECK(attemptsAt(mending, outcome).empty());
 }
 
 TEST_CASE("a frame without lines needs no mending") {
   Outcome outcome;
   outcome.begin(0);
   Mending mending = restedFor(kFramesToLookAround);
-  CHECK_FALSE(mending.next(outcome).has_value());
+  CHECK(attemptsAt(mending, outcome).empty());
 }
