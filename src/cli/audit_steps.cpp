@@ -42,8 +42,12 @@ bool sameState(const State& a, const State& b) {
          std::ranges::all_of(a, [&](const Identity& i) { return std::ranges::find(b, i) != b.end(); });
 }
 
-std::string textOf(const State& state, const Model& model) {
-  if (state.empty()) return "hidden";
+/// A parameter's state in words: its identities, or why it is hidden.
+std::string textOf(const State& state, const Layout& layout, std::size_t parameter, const Model& model) {
+  if (state.empty()) {
+    const auto hidden = std::ranges::find(layout.hidden, parameter, &HiddenParameter::parameter);
+    return hidden == layout.hidden.end() ? "hidden" : "hidden (" + std::string(name(hidden->reason)) + ")";
+  }
   std::string text;
   for (const Identity& identity : state) text += (text.empty() ? "" : " ") + identityText(identity, model.parameters());
   return text;
@@ -73,7 +77,7 @@ void measureStates(const Model& model, std::size_t parameter, std::span<const La
       tally.judge(AuditRow::kIdentityChanges);
       if (!same) {
         tally.offend(AuditRow::kIdentityChanges, parameterName, 0, names[f],
-                     textOf(before, model) + " to " + textOf(states[f], model) +
+                     textOf(before, layouts[f - 1], parameter, model) + " to " + textOf(states[f], layouts[f], parameter, model) +
                          afterWhat(layouts[f - 1], layouts[f], parameter, model));
       }
     }
@@ -82,9 +86,9 @@ void measureStates(const Model& model, std::size_t parameter, std::span<const La
     for (std::size_t g = f + 1; g < states.size() && g <= f + kTakenBackFrames && names[g].leg == names[f - 1].leg;
          ++g) {
       if (!sameState(states[g], before)) continue;
-      tally.offend(
-          AuditRow::kFlicker, parameterName, static_cast<double>(kTakenBackFrames + 1 - (g - f)), names[f],
-          textOf(before, model) + " to " + textOf(states[f], model) + " and back after " + std::to_string(g - f));
+      tally.offend(AuditRow::kFlicker, parameterName, static_cast<double>(kTakenBackFrames + 1 - (g - f)), names[f],
+                   textOf(before, layouts[f - 1], parameter, model) + " to " + textOf(states[f], layouts[f], parameter, model) +
+                       ", and after " + std::to_string(g - f) + " back to " + textOf(states[g], layouts[g], parameter, model));
       break;
     }
   }

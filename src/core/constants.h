@@ -145,8 +145,8 @@ inline constexpr int kFirstPictureRounds = 2;
 /// Moved frames after which any line may look for a better place, though nothing is amiss with it.
 inline constexpr int kFramesToLookAround = 3;
 
-/// Moved frames on end for which a switch or a choice that had no room or was inside the model, or a line inside it that gave way to others, must have had a better kind of place before it
-/// takes it. Fewer: it comes and goes where there is hardly any room, as in a view from near by. More: it is still missing when the movement ends.
+/// Moved frames on end for which a switch or a choice that had no room or was inside the model, a line inside it that gave way to others, or one that could come out to an object plane, must have had
+/// a better kind of place before it takes it. Fewer: it comes and goes where there is hardly any room, as in a view from near by. More: it is still missing when the movement ends.
 inline constexpr int kPatienceFrames = 15;
 
 /// rad. A frame in which the view turns by more counts as several for how long a scope has been in sight, so that a quick turn drops what it hides at once.

@@ -15,7 +15,7 @@ int framesForSingle(const ChoiceContext& context) { return context.foresight.zoo
 
 }  // namespace
 
-bool Chooser::choose(const Measured& measured, const ChoiceContext& context, const History& history) {
+bool Chooser::choose(const Measured& measured, const ChoiceContext& context, History& history) {
   cramped_ = false;
   wishedLines_.clear();
   wishedScore_ = -std::numeric_limits<double>::infinity();
@@ -33,21 +33,39 @@ bool Chooser::choose(const Measured& measured, const ChoiceContext& context, con
   for (std::size_t i = 0; i < measured.clusters.size(); ++i) {
     gatherChainBaseLines(measured.clusters[i], static_cast<std::int32_t>(i), context.view, chainBases_);
   }
+  const Outside outside = chooseOutside(measured, candidates, context, context.patient && history.wasInside() ? &history : nullptr);
+  if (outside == Outside::kFound || chooseInside(candidates, context)) return true;
+  // What has no room inside any more cannot wait there.
+  return outside == Outside::kWaits && chooseOutside(measured, candidates, context, nullptr) == Outside::kFound;
+}
+
+/// A place outside for a chain or for a single line. `waits`: the history of a line inside that may have to wait there.
+Chooser::Outside Chooser::chooseOutside(const Measured& measured, const CandidateContext& candidates, const ChoiceContext& context, History* waits) {
+  Outside outside = Outside::kNone;
+  const auto choose = [&](std::span<const UsableBaseLine> bases, const CandidateContext& among) {
+    if (!chooseOutside(bases, measured, among, context)) return false;
+    // Object planes are cut off by each other and left out when they are edge-on, so that room on them comes and goes while the camera moves.
+    const bool taken = waits == nullptr || winner_.plane.kind != PlaneKind::kObject || waits->betterIsThere();
+    outside = taken ? Outside::kFound : Outside::kWaits;
+    return taken;
+  };
   // A chain that has no room as a whole, or passes behind the viewer, may leave room for one of its base lines; that stays for a while before the chain is
   // looked at again.
+  const bool chained = !measured.clusters.empty();
+  const History& history = candidates.history;
   const bool singleStays = chained && history.last().chain < 0 && history.last().plane >= 0 && history.framesHeld() < framesForSingle(context);
   const auto chooseSingle = [&] {
-    if (chained) gatherBases(measured, context, factor, Enough::kAll);
-    return chooseOutside(bases_, measured, candidates, context);
+    if (chained) gatherBases(measured, context, thresholdFactor(measured, context), Enough::kAll);
+    return choose(bases_, candidates);
   };
-  if (singleStays && chooseSingle()) return true;
+  if (singleStays && chooseSingle()) return outside;
   // From near by the chains of a row leave the picture one soon after the other, so one of its base lines comes before a chain that would be gone at once.
   CandidateContext lasting = candidates;
   lasting.lasting = true;
-  if (chained && chooseOutside(chainBases_, measured, lasting, context)) return true;
-  if (!singleStays && chooseSingle()) return true;
-  if (chained && context.foresight.zooms() && chooseOutside(chainBases_, measured, candidates, context)) return true;
-  return chooseInside(candidates, context);
+  if (chained && choose(chainBases_, lasting)) return outside;
+  if (!singleStays && chooseSingle()) return outside;
+  if (chained && context.foresight.zooms()) choose(chainBases_, candidates);
+  return outside;
 }
 
 /// The base lines that can be used, by thresholds that are `factor` times those of constants.h. False when there is none.

@@ -12,8 +12,9 @@ namespace dimline {
 /// members of a chain, with labels. Keeps its memory from frame to frame.
 class Chooser {
  public:
-  /// Finds the parameter's place. False when none of its base lines can be used; then tally() says why, and cramped() whether it is for want of room alone.
-  bool choose(const Measured& measured, const ChoiceContext& context, const History& history);
+  /// Finds the parameter's place. False when none of its base lines can be used; then tally() says why, and cramped() whether it is for want of room alone. Tells the history of a better kind of place
+  /// than the last frame's that has to wait (ChoiceContext::patient).
+  bool choose(const Measured& measured, const ChoiceContext& context, History& history);
 
   [[nodiscard]] const Candidate& winner() const { return winner_; }
   [[nodiscard]] std::span<const ChosenLine> lines() const { return winnerLines_; }
@@ -33,6 +34,8 @@ class Chooser {
  private:
   enum class Enough { kOne, kAll };
   bool gatherBases(const Measured& measured, const ChoiceContext& context, double factor, Enough enough);
+  enum class Outside { kNone, kWaits, kFound };
+  Outside chooseOutside(const Measured& measured, const CandidateContext& candidates, const ChoiceContext& context, History* waits);
   bool chooseOutside(std::span<const UsableBaseLine> bases, const Measured& measured, const CandidateContext& candidates, const ChoiceContext& context);
   bool chooseAgain(const Measured& measured, const CandidateContext& candidates, const ChoiceContext& context);
   bool chooseBest(const Measured& measured, const ChoiceContext& context, const History& history);

@@ -106,7 +106,7 @@ bool Placer::State::placeAll(const FrameToPlace& frame, std::size_t crowded, Lay
       const Identity* avoid = avoided && avoided->rank == rank ? &avoided->place : nullptr;
       const bool runsInto = placeLines(rank,
                                        {view, fields, occupied, past.lookAhead, past.labels, object, foresight, scopes, usableScopes(measured), past.sights, object.toleranceM, viewMoved,
-                                        firm, avoid, asksForRoom, showHidden},
+                                        firm, patient(), avoid, asksForRoom, showHidden},
                                        values.at(measured.parameter), layout);
       // A measure takes no place from what can be edited.
       cramped |= runsInto && !parameters[measured.parameter].measure;
@@ -164,9 +164,9 @@ bool Placer::State::placeLines(std::size_t rank, const ChoiceContext& context, d
   History& history = past.histories[measured.parameter];
   label(measured, parameters[measured.parameter], value);
   const bool found = chooser.choose(measured, context, history);
-  // A line inside the model that is cut off comes, or comes back after it gave way to others, when it has had a place for a while: at the picture's rim it may have one for a moment only. What an edit brings is shown at once, and so is what a first picture has room for.
-  const bool comes = firm && !opening && (history.hiddenForWantOfRoom() || (history.hidden() && chooser.winner().placement == PlacementKind::kInside));
-  const bool waits = found && !showHidden && comes && !isWhole(chooser.winner().baseScreen, context.view) && !history.betterIsThere();
+  // A line inside the model that is cut off comes, or comes back after it gave way to others, when it has had a place for a while: at the picture's rim it may have one for a moment only.
+  const bool comes = history.hiddenForWantOfRoom() || (history.hidden() && chooser.winner().placement == PlacementKind::kInside);
+  const bool waits = found && patient() && comes && !isWhole(chooser.winner().baseScreen, context.view) && !history.betterIsThere();
   if (!found || waits) {
     BaseLineTally tally = scopesOutOfSight(measured);
     tally.add(chooser.tally());

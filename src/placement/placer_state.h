@@ -83,6 +83,9 @@ struct Placer::State {
   std::vector<PlacedLine> spareLines;
   std::vector<PlacedHandle> spareHandles;
 
+  /// See ChoiceContext. What an edit brings is shown at once, and so is what a first picture has room for.
+  [[nodiscard]] bool patient() const { return firm && !opening && !showHidden; }
+
   // placer.cpp
   void keepChains(std::span<const Measured> before, const Measured& now);
   bool beginFrame(const View& view);

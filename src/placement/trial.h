@@ -27,6 +27,7 @@ struct ChoiceContext {
   double toleranceM = 0;                    ///< kSamePlaneDistance of the model's size
   bool viewMoved = false;                   ///< since the last frame
   bool firm = false;                        ///< the last frame's place is kept wherever it still is one
+  bool patient = false;                     ///< what has had a better kind of place for less than kPatienceFrames does not take it yet
   const Identity* avoid = nullptr;          ///< a place that is not looked at
   bool asksForRoom = false;                 ///< labels may yet give way, in another round of the same frame
   bool showAll = false;                     ///< base lines that are short or point at the viewer can be used too

@@ -234,3 +234,42 @@ TEST_CASE("no line outside the model runs across one that stays on its base line
     CHECK_FALSE(segmentsCross(stage.find("Width")->lineScreen, stage.find("Height")->lineScreen, kCrossingPx));
   }
 }
+
+TEST_CASE("inside the model, a line comes out to an object plane when it has had room there for a while, to its scope's plane at once") {
+  const auto block = [](const char* slip) {
+    ModelDefinition definition = boxWithDoor();
+    definition.name = "block";
+    definition.parameters.resize(1);
+    definition.parameters[0].annotation = std::string("@Handle(scope=Block, type=linear-contour, orient=up, slip=") + slip + ")";
+    definition.build = [](const Values&) { return sceneOf({{"Block", boxAt({-1, -1, -1}, {2, 2, 2})}}); };
+    return definition;
+  };
+  const auto framesUntilOutside = [](Stage& stage) {
+    // The block fills the picture; then it is seen with room all round.
+    stage.look(straightAt(0, 2.02));
+    REQUIRE(stage.layout.lines.size() == 1);
+    REQUIRE(stage.layout.lines[0].placement == PlacementKind::kInside);
+    int frames = 0;
+    do {
+      stage.look(straightAt(0.001 * frames, 4));
+      REQUIRE(stage.layout.lines.size() == 1);
+      ++frames;
+      // Before a still camera it waits.
+      for (int still = 0; frames == 3 && still < 40; ++still) {
+        const PlacementKind before = stage.layout.lines[0].placement;
+        stage.look(straightAt(0.001 * (frames - 1), 4));
+        REQUIRE(stage.layout.lines[0].placement == before);
+      }
+    } while (stage.layout.lines[0].placement == PlacementKind::kInside && frames < 100);
+    return frames;
+  };
+  Stage object(block("object"));
+  CHECK(framesUntilOutside(object) == kPatienceFrames + 1);
+  CHECK(object.layout.lines[0].planeKind == PlaneKind::kObject);
+  Stage scope(block("scope"));
+  CHECK(framesUntilOutside(scope) == 1);
+  // In a first picture there is nothing to wait for.
+  Stage fresh(block("object"));
+  fresh.look(straightAt(0, 4));
+  CHECK(fresh.layout.lines[0].placement == PlacementKind::kOutside);
+}
