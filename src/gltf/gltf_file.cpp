@@ -9,6 +9,7 @@
 #include <utility>
 
 #include <glm/gtc/quaternion.hpp>
+#include <glm/gtc/matrix_access.hpp>
 #include <glm/gtc/type_ptr.hpp>
 #include <glm/mat3x3.hpp>
 
@@ -308,7 +309,9 @@ private:
   static Result<Mat4> transformOf(const tinygltf::Node& node) {
     if (!node.matrix.empty()) {
       if (node.matrix.size() != 16) return Error{"has a matrix that has not 16 numbers."};
-      return glm::make_mat4(node.matrix.data());
+      const Mat4 matrix = glm::make_mat4(node.matrix.data());
+      if (glm::row(matrix, 3) != Vec4(0, 0, 0, 1)) return Error{"has a matrix whose last row is not 0, 0, 0, 1."};
+      return matrix;
     }
     const auto& t = node.translation;
     const auto& r = node.rotation;

@@ -14,6 +14,11 @@ namespace {
 /// Share of the viewport that the model may fill, per axis, when it is fitted: the rest is for lines, labels and air.
 constexpr double kFitShare = 0.62;
 
+/// m, and rad. Between these, a double's rounding leaves a picture of anything that people build; a wider or a narrower view of it is of rounding alone.
+constexpr double kMostCoordinateM = 1e12;
+constexpr double kLeastHeightM = 1e-9;
+constexpr double kLeastFovRad = 1.745e-9;
+
 bool finite(const Vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
 struct Frame {
@@ -37,6 +42,10 @@ Status validate(const Camera& camera) {
   if (!finite(camera.eye) || !finite(camera.target) || !finite(camera.up)) {
     return Error{"The camera's eye, target and up must be finite numbers."};
   }
+  const auto reach = [](const Vec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); };
+  if (std::max(reach(camera.eye), reach(camera.target)) > kMostCoordinateM) {
+    return Error{"The camera's eye and target must lie within 1e12 metres of the origin."};
+  }
   // Compared with the coordinates' own size: nearer than that, the view direction is rounding noise.
   const double scale = std::max(glm::length(camera.eye), glm::length(camera.target));
   if (!(glm::length(camera.target - camera.eye) > 1e-9 * scale) || camera.target == camera.eye) {
@@ -47,8 +56,13 @@ Status validate(const Camera& camera) {
     if (!std::isfinite(*camera.orthoHeightM) || *camera.orthoHeightM <= 0) {
       return Error{"The camera's orthoHeight must be a positive number of metres."};
     }
+    if (*camera.orthoHeightM < kLeastHeightM || *camera.orthoHeightM > kMostCoordinateM) {
+      return Error{"The camera's orthoHeight must lie between 1e-9 and 1e12 metres."};
+    }
   } else if (!(camera.fovRad > 0 && camera.fovRad < 3.14159)) {
     return Error{"The camera's field of view must lie between 0 and 180 degrees."};
+  } else if (camera.fovRad < kLeastFovRad) {
+    return Error{"The camera's field of view must be at least 1e-7 degrees."};
   }
   return okStatus();
 }

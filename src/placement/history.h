@@ -46,6 +46,11 @@ class History {
   void age();
   /// Notes this frame's choice, its offset (negative: none that the next frame should look at), and how far it lies from its base line on screen (px).
   void choose(const Identity& choice, double offsetM, const Segment2& awayPx = {});
+  /// Notes the choice of a line that is held, `offsetM` from its foot: when it is let go of it stays there if it may, and keeps its place however far from there it must lie.
+  void hold(const Identity& choice, double offsetM) {
+    choose(choice, offsetM);
+    awayPx_.reset();
+  }
   /// A better kind of place is there than the last frame's: one outside the model for what was inside, any for what had no room. Returns whether one has been there for
   /// kPatienceFrames moved frames on end.
   bool betterIsThere() {

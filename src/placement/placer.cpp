@@ -35,7 +35,6 @@ void Placer::forget() {
   past.labels.forget();
   past.mending = {};
   past.sights.clear();
-  past.held = false;
   past.view.reset();
   past.crowded = 0;
   past.crowdedFrames = kReturnFrames;
@@ -145,9 +144,8 @@ void Placer::place(const View& view, const DistanceFields& fields, const Values&
   facePlanes(s.objectPlanes, view, s.objectPlaneUses);
 
   const FrameToPlace frame{view, fields, values, held, viewMoved};
-  // What was edited, and a line that was let go of, may find another place at once.
-  const bool wasHeld = std::exchange(s.past.held, !held.empty());
-  const bool firm = !sceneChanged && held.empty() && !wasHeld;
+  // What was edited may find another place at once.
+  const bool firm = !sceneChanged && held.empty();
   // In a first picture there is nothing to keep, but what is amiss can be mended.
   s.firm = firm || (first && held.empty());
   s.occupied.begin(fields);

@@ -17,9 +17,10 @@ namespace {
 
 HiddenReason reasonFor(const BaseLineTally& tally, bool anyScope) {
   if (!anyScope) return HiddenReason::kNoScope;
-  if (tally.occluded > 0) return HiddenReason::kOccluded;
+  // Of several scopes the one that came nearest to being shown says why.
   if (tally.foreshortened > 0) return HiddenReason::kForeshortened;
   if (tally.tooShort > 0) return HiddenReason::kTooShort;
+  if (tally.occluded > 0) return HiddenReason::kOccluded;
   return HiddenReason::kOutOfView;
 }
 
@@ -97,7 +98,7 @@ bool Placer::State::placeAll(const FrameToPlace& frame, std::size_t crowded, Lay
       continue;
     }
     if (rank < crowded) {
-      layout.hidden.push_back({measured.parameter, HiddenReason::kCrowded});
+      layout.hidden.push_back({measured.parameter, measured.scopes.empty() ? HiddenReason::kNoScope : HiddenReason::kCrowded});
       // Or an attempt would gain by crowding a line out.
       outcome.worth += kScoreInside;
       if (past.histories[measured.parameter].any()) outcome.changes += 1;
@@ -118,7 +119,7 @@ bool Placer::State::placeAll(const FrameToPlace& frame, std::size_t crowded, Lay
   for (const Measured& other : others) {
     if (stays(other)) continue;
     if (noPills && other.annotation.type != HandleType::kAngular) {
-      layout.hidden.push_back({other.parameter, HiddenReason::kCrowded});
+      layout.hidden.push_back({other.parameter, other.scopes.empty() ? HiddenReason::kNoScope : HiddenReason::kCrowded});
       past.histories[other.parameter].choseNone(true);
     } else {
       placeOther(other, view, values.at(other.parameter), layout);
@@ -275,7 +276,11 @@ void Placer::State::landChoice(const Measured& measured, double value, Layout& l
 /// A line that is being dragged stays on its carrier, whatever this frame would have chosen for it.
 void Placer::State::landHeld(Measured& measured, const PlacedLine& held, Layout& layout) {
   label(measured, parameters[held.parameter], held.value);
-  past.histories[held.parameter].choose(held.identity, -1, away(held.baseScreen, held.lineScreen));
+  const Vec3 along = glm::normalize(held.line.end - held.line.start);
+  const Vec3 fromFoot = held.line.start - held.foot.start;
+  Identity place = held.identity;
+  if (place.chain >= 0) place.scopeIndex = -1;   // that of the chain, not of its member
+  past.histories[held.parameter].hold(place, glm::length(fromFoot - along * glm::dot(fromFoot, along)));
   int guide = -1;
   if (held.placement != PlacementKind::kInside) {
     guide = occupied.guides().through(held.line, held.plane, toleranceM);

@@ -46,7 +46,6 @@ struct Placer::State {
     LookAhead lookAhead;
     LabelMemory labels;
     Mending mending;
-    bool held = false;                ///< whether a line was held in the last frame
     std::optional<View> view;         ///< of the last frame
     std::size_t crowded = 0;          ///< how many of the shortest lines are hidden for want of room
     int crowdedFrames = kReturnFrames;   ///< moved frames since that many were found to be too few

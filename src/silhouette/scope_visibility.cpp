@@ -35,7 +35,7 @@ float seenShare(const Obb& box, const View& view, const DepthBuffer& depth, doub
   const Vec3 nearer = middle - view.directionTo(middle) * skinM;
   const Vec4 clip = view.viewProjection() * Vec4(nearer, 1.0);
   const Vec3 ndc = Vec3(clip) / clip.w;
-  if (std::abs(ndc.x) >= 1 || std::abs(ndc.y) >= 1) return 0.0F;
+  if (!(std::abs(ndc.x) < 1 && std::abs(ndc.y) < 1)) return 0.0F;   // nor a place that is no number
   const int x = static_cast<int>((ndc.x * 0.5 + 0.5) * depth.width());
   const int y = static_cast<int>((0.5 - ndc.y * 0.5) * depth.height());
   return seenShareOf({0, 0, ndc.z <= static_cast<double>(depth.at(x, y))}, samples);

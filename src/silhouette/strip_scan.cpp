@@ -14,14 +14,17 @@ struct Run {
   double along1, away1;
 };
 
+/// The strip in which a place lies: the nearest one when it lies beyond them all, the first when it is no number, as from cameras at distances where rounding leaves nothing.
+int stripAt(double along, int lastStrip) { return static_cast<int>(along > 0 ? std::min(along, static_cast<double>(lastStrip)) : 0.0); }
+
 /// Scans a run into a pair of opposite fields.
 void scanPair(const Run& run, int lastStrip, double extent, float* nearField, float* farField) {
   const auto take = [&](int strip, double one, double other) {
     nearField[strip] = std::min(nearField[strip], static_cast<float>(std::min(one, other)));
     farField[strip] = std::min(farField[strip], static_cast<float>(extent - std::max(one, other)));
   };
-  const int first = std::min(static_cast<int>(run.along0), lastStrip);
-  int last = std::min(static_cast<int>(run.along1), lastStrip);
+  const int first = stripAt(run.along0, lastStrip);
+  int last = stripAt(run.along1, lastStrip);
   if (last > first && last == run.along1) --last;  // only touches its last strip
   if (first == last) {
     take(first, run.away0, run.away1);

@@ -235,3 +235,31 @@ TEST_CASE("in the Parthenon's first picture its width is measured along the fron
   }
   CHECK(labels >= 1);
 }
+
+TEST_CASE("a line that is let go of keeps its place, and leaps nowhere, on the galleon too") {
+  if (!tested("boat")) return;
+  const auto galleon = std::ranges::find(builtInModels(), std::string_view("boat"), &BuiltInModel::name);
+  EditorStage stage(galleon->define());
+  stage.editor.setReducedMotion(true);
+  stage.settle();
+  for (const char* name : {"Length", "Beam", "MizzenMastHeight", "ForecastleHeight"}) {
+    INFO(name);
+    const PlacedLine* line = stage.line(name);
+    REQUIRE(line != nullptr);
+    const Vec2 from = line->handles.front().screen;
+    const Vec2 to = from + 25.0 * glm::normalize(line->lineScreen.end - line->lineScreen.start);
+    stage.down(from);
+    stage.move(to);
+    stage.settle();
+    const PlacedLine held = *stage.line(name);
+    stage.up(to);
+    stage.settle();
+    line = stage.line(name);
+    REQUIRE(line != nullptr);
+    CHECK(line->identity == held.identity);
+    CHECK(glm::length(line->lineScreen.start - held.lineScreen.start) < kLeapPx);
+    CHECK(glm::length(line->lineScreen.end - held.lineScreen.end) < kLeapPx);
+    stage.editor.undo();
+    stage.settle();
+  }
+}

@@ -111,6 +111,8 @@ TEST_CASE("things of another kind than they should be") {
         }) == "a.glb: node 1 has a rotation that is no quaternion.");
   CHECK(errorAfter([](json& r) { r["nodes"][1]["scale"] = {1, 1}; }) ==
         "a.glb: node 1 has a translation, rotation or scale with too few or too many numbers.");
+  CHECK(errorAfter([](json& r) { r["nodes"][1]["matrix"] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0}; }) ==
+        "a.glb: node 1 has a matrix whose last row is not 0, 0, 0, 1.");
   CHECK(errorAfter([](json& r) { r["nodes"][1]["matrix"] = {1, 2, 3}; }) ==
         "a.glb: node 1 has a matrix that has not 16 numbers.");
 }

@@ -80,6 +80,11 @@ TEST_CASE("a camera that cannot be used gets a reason") {
   REQUIRE(message([&](Camera& c) { c.orthoHeightM = 0; }).find("orthoHeight") != std::string::npos);
   REQUIRE(message([&](Camera& c) { c.orthoHeightM = nan; }).find("orthoHeight") != std::string::npos);
   REQUIRE(message([&](Camera& c) { c.orthoHeightM = HUGE_VAL; }).find("orthoHeight") != std::string::npos);
+  REQUIRE(message([&](Camera& c) { c.eye.x = 1e17; }).find("1e12 metres") != std::string::npos);
+  REQUIRE(message([&](Camera& c) { c.target.z = -1e13; }).find("1e12 metres") != std::string::npos);
+  REQUIRE(message([&](Camera& c) { c.orthoHeightM = 1e-16; }).find("between 1e-9 and 1e12") != std::string::npos);
+  REQUIRE(message([&](Camera& c) { c.orthoHeightM = 1e13; }).find("between 1e-9 and 1e12") != std::string::npos);
+  REQUIRE(message([&](Camera& c) { c.fovRad = 1e-16; }).find("at least 1e-7 degrees") != std::string::npos);
 }
 
 // --- View, by hand

@@ -416,6 +416,26 @@ TEST_CASE("what cannot be shown says why") {
   stage.look(orbitCamera({0, 2.5, 0}, 3000, 35, 20));
   CHECK(stage.layout.lines.empty());
   CHECK(reason("Height") == HiddenReason::kTooShort);
+
+  // Of several doors the one in sight says why: it is too short, though others are hidden by the model.
+  ModelDefinition doors = boxWithDoor();
+  const auto oneDoor = doors.build;
+  doors.build = [oneDoor](const Values& values) {
+    Scene scene = oneDoor(values);
+    const auto door = std::ranges::find(scene.scopes, "Door", &Scope::name);
+    Scope another = *door;
+    another.index = 1;
+    scene.scopes.push_back(another);
+    return scene;
+  };
+  Stage two(doors);
+  ScopeVisibility visibility;
+  visibility.seenShare.assign(two.scene.scopes.size(), 1.0F);
+  visibility.seenShare.back() = 0;
+  two.look(orbitCamera({0, 2.5, 0}, 3000, 35, 20), 1000, 1000, &visibility);
+  const auto hidden = std::ranges::find(two.layout.hidden, findParameter(two.model.parameters(), "DoorHeight").value(), &HiddenParameter::parameter);
+  REQUIRE(hidden != two.layout.hidden.end());
+  CHECK(hidden->reason == HiddenReason::kTooShort);
 }
 
 TEST_CASE("a camera inside the model gives a layout without a NaN") {
