@@ -8,8 +8,8 @@
 #include <optional>
 #include <utility>
 
-#include <glm/gtc/quaternion.hpp>
 #include <glm/gtc/matrix_access.hpp>
+#include <glm/gtc/quaternion.hpp>
 #include <glm/gtc/type_ptr.hpp>
 #include <glm/mat3x3.hpp>
 

@@ -20,7 +20,8 @@ struct Camera {
   bool operator==(const Camera&) const = default;
 };
 
-/// A readable error when a camera cannot be used: not finite, eye at the target, no height or angle. An `up` along the view is not an error.
+/// A readable error when a camera cannot be used: not finite, eye at the target, no height or angle, or so far away or seeing so little (1e12 m, 1e-9 m, 1e-7 degrees) that rounding
+/// leaves nothing. An `up` along the view is not an error.
 Status validate(const Camera& camera);
 
 /// A camera bound to a viewport and to the depth range of one frame: everything that projects.
