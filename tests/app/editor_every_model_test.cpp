@@ -237,7 +237,6 @@ TEST_CASE("in the Parthenon's first picture its width is measured along the fron
 }
 
 TEST_CASE("a line that is let go of keeps its place, and leaps nowhere, on the galleon too") {
-  if (!tested("boat")) return;
   const auto galleon = std::ranges::find(builtInModels(), std::string_view("boat"), &BuiltInModel::name);
   EditorStage stage(galleon->define());
   stage.editor.setReducedMotion(true);
