@@ -16,7 +16,7 @@ import {
 let browser, tab, page;
 before(async () => {
   browser = await launch();
-  tab = await openPage(browser);
+  tab = await openPage(browser, { drawn: false });
   page = tab.page;
   await recordEvents(page);
 });

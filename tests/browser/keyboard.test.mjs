@@ -8,7 +8,7 @@ import { decodePng } from "./support/png.mjs";
 let browser, tab, page;
 before(async () => {
   browser = await launch();
-  tab = await openPage(browser, { width: 1100, height: 800 });
+  tab = await openPage(browser, { width: 1100, height: 800, drawn: false });
   page = tab.page;
 });
 after(async () => {

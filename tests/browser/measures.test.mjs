@@ -7,7 +7,7 @@ import { call, launch, layoutOf, openPage, screenshot, settle } from "./support/
 let browser, tab, page;
 before(async () => {
   browser = await launch();
-  tab = await openPage(browser, { width: 1100, height: 800 });
+  tab = await openPage(browser, { width: 1100, height: 800, drawn: false });
   page = tab.page;
 });
 after(async () => {

@@ -53,7 +53,7 @@ test("the panel of another model begins at its top", async () => {
 });
 
 test("a click chooses, the address remembers, and the browser's way back leads back", async () => {
-  const { page, complaints, close } = await openPage(browser);
+  const { page, complaints, close } = await openPage(browser, { drawn: false });
   const other = (await call(page, "getModels")).find((model) => model.name !== "house");
   await openMenu(page);
   await dialog(page).getByRole("link", { name: other.title, exact: true }).click();
@@ -84,7 +84,7 @@ test("a click chooses, the address remembers, and the browser's way back leads b
 const valuesOf = async (page) => Object.fromEntries((await call(page, "getParameters")).map((p) => [p.name, p.value]));
 
 test("what was changed is still there after a reload, after another model, and behind a link", async () => {
-  const { page, complaints, close } = await openPage(browser);
+  const { page, complaints, close } = await openPage(browser, { drawn: false });
   assert.equal(new URL(page.url()).hash, "", "nothing is changed yet");
   await call(page, "setParameters", { Width: 9.7, RoofType: "hip", Balcony: false });
   await settle(page);
@@ -125,7 +125,7 @@ test("what was changed is still there after a reload, after another model, and b
 });
 
 test("the model that is shown, chosen again, stays as it is", async () => {
-  const { page, close } = await openPage(browser, { path: "?model=" });
+  const { page, close } = await openPage(browser, { path: "?model=", drawn: false });
   await call(page, "setParameters", { Width: 9.7 });
   await settle(page);
   await openMenu(page);
@@ -138,7 +138,7 @@ test("the model that is shown, chosen again, stays as it is", async () => {
 });
 
 test("an address that asks for what cannot be had shows the rest, and says so", async () => {
-  const { page, complaints, close } = await openPage(browser, { path: "#Width=wide&Depth=700&Moat=3" });
+  const { page, complaints, close } = await openPage(browser, { path: "#Width=wide&Depth=700&Moat=3", drawn: false });
   const parameters = await call(page, "getParameters");
   const depth = parameters.find((p) => p.name === "Depth");
   assert.equal(depth.value, depth.max);
@@ -150,7 +150,7 @@ test("an address that asks for what cannot be had shows the rest, and says so", 
 });
 
 test("the menu works from the keyboard alone", async () => {
-  const { page, close } = await openPage(browser);
+  const { page, close } = await openPage(browser, { drawn: false });
   const models = await call(page, "getModels");
   await page.locator("#model").focus();
   await page.keyboard.press("Enter");
@@ -164,7 +164,7 @@ test("the menu works from the keyboard alone", async () => {
 });
 
 test("an address that names no model shows the house, and says so", async () => {
-  const { page, complaints, close } = await openPage(browser, { path: "?model=castle" });
+  const { page, complaints, close } = await openPage(browser, { path: "?model=castle", drawn: false });
   assert.equal(await modelOf(page), "house");
   assert.match(await page.locator("#status").textContent(), /castle/);
   assert.equal(new URL(page.url()).search, "");

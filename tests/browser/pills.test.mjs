@@ -5,7 +5,7 @@ import { openHouse } from "./support/house.mjs";
 import { call, cameraOf, distance, layoutOf, pictureBox, screenshot, settle, takeEvents, valueOf } from "./support/page.mjs";
 
 let tab, page, defaults, camera;
-openHouse({ width: 1100, height: 800, touch: true }, (desk) => ({ tab, page, defaults, camera } = desk));
+openHouse({ width: 1100, height: 800, touch: true, drawn: false }, (desk) => ({ tab, page, defaults, camera } = desk));
 
 const parameter = async (name) => (await call(page, "getParameters")).find((p) => p.name === name);
 async function other(type) {

@@ -6,7 +6,7 @@ import { openHouse } from "./support/house.mjs";
 import { call, cameraOf, openPage, screenshot, settle, takeEvents, valueOf } from "./support/page.mjs";
 
 let browser, tab, page, defaults;
-openHouse({ width: 1100, height: 800 }, (desk) => ({ browser, tab, page, defaults } = desk));
+openHouse({ width: 1100, height: 800, drawn: false }, (desk) => ({ browser, tab, page, defaults } = desk));
 
 const field = () => inside(page, ".value-field input");
 const note = () => inside(page, ".value-field .note");
