@@ -45,23 +45,6 @@ struct Job {
   std::vector<Camera> cameras;
 };
 
-Status setValues(Job& job) {
-  const auto parameters = job.model.parameters();
-  job.values = Values(parameters);
-  for (const auto& [name, text] : job.options.values) {
-    const auto index = findParameter(parameters, name);
-    if (!index) {
-      std::vector<std::string_view> names;
-      for (const Parameter& parameter : parameters) names.push_back(parameter.name);
-      return Error{"The model has no parameter " + inQuotes(name) + "; it has " + joined(names) + "."};
-    }
-    const auto value = parseValue(parameters[*index], text);
-    if (!value) return value.error();
-    job.values.set(*index, *value);
-  }
-  return okStatus();
-}
-
 Status findCameras(Job& job) {
   const LayoutOptions& options = job.options;
   if (options.camerasPath) {
@@ -175,7 +158,9 @@ Outcome run(std::span<const std::string_view> arguments, const Streams& streams)
   auto model = loadModel(job.options.model, streams.err);
   if (!model) return badInput(model.error());
   job.model = std::move(model).value();
-  if (Status status = setValues(job); !status) return badInput(status.error());
+  auto values = valuesOf(job.model, job.options.values);
+  if (!values) return badInput(values.error());
+  job.values = std::move(values).value();
   job.scene = job.model.definition.build(job.values);
   if (Status status = findCameras(job); !status) return badInput(status.error());
 

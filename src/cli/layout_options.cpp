@@ -1,13 +1,14 @@
 #include "cli/layout_options.h"
 
 #include "cli/arguments.h"
+#include "cli/load_model.h"
 #include "core/text.h"
 
 namespace dimline {
 
 namespace {
 
-constexpr OptionRule kRules[] = {{"--set", OptionRule::Kind::kRepeatable, "NAME=VALUE"},
+constexpr OptionRule kRules[] = {kSetRule,
                                  {"--cameras", OptionRule::Kind::kValue, "CAMS.json"},
                                  {"--eye", OptionRule::Kind::kValue, "x,y,z"},
                                  {"--target", OptionRule::Kind::kValue, "x,y,z"},
@@ -123,21 +124,14 @@ Status readOutputs(const Arguments& arguments, LayoutOptions& options) {
 Result<LayoutOptions> parseLayoutOptions(std::span<const std::string_view> list) {
   const auto arguments = Arguments::parse(list, kRules);
   if (!arguments) return arguments.error();
-  const auto positional = arguments->positional();
-  if (positional.empty())
-    return Error{"Name a model: a built-in one (dimline models lists them), or a .gltf or .glb file."};
-  if (positional.size() > 1) return Error{"One model at a time: " + inQuotes(positional[1]) + " is too much."};
+  const auto model = modelArgument(*arguments);
+  if (!model) return model.error();
+  auto assignments = assignmentsOf(*arguments);
+  if (!assignments) return assignments.error();
 
   LayoutOptions options;
-  options.model = positional[0];
-  for (const std::string_view assignment : arguments->values("--set")) {
-    const std::size_t equals = assignment.find('=');
-    const std::string_view name = trim(assignment.substr(0, equals));
-    if (equals == std::string_view::npos || name.empty()) {
-      return Error{"--set takes NAME=VALUE, such as Width=9.5, not " + inQuotes(assignment) + "."};
-    }
-    options.values.emplace_back(name, assignment.substr(equals + 1));
-  }
+  options.model = *model;
+  options.values = std::move(assignments).value();
   if (const auto fields = arguments->value("--fields")) {
     if (*fields != "cpu" && *fields != "gpu") return Error{"--fields takes cpu or gpu, not " + inQuotes(*fields) + "."};
     options.gpuFields = *fields == "gpu";

@@ -4,9 +4,8 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <utility>
-#include <vector>
 
+#include "cli/given_values.h"
 #include "cli/program.h"
 #include "math/camera.h"
 
@@ -15,7 +14,7 @@ namespace dimline {
 /// What `dimline layout` was asked for, as far as the command line alone tells. Nothing has been read yet.
 struct LayoutOptions {
   std::string_view model;
-  std::vector<std::pair<std::string_view, std::string_view>> values;  ///< --set NAME=VALUE, in order
+  Assignments values;
   std::optional<std::string> camerasPath;
   std::optional<Camera> camera;  ///< valid; --eye and the others
   int widthPx = 1000;

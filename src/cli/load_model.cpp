@@ -19,6 +19,14 @@ bool isGltfPath(std::string_view name) {
 
 }  // namespace
 
+Result<std::string_view> modelArgument(const Arguments& arguments) {
+  const auto positional = arguments.positional();
+  if (positional.empty())
+    return Error{"Name a model: a built-in one (dimline models lists them), or a .gltf or .glb file."};
+  if (positional.size() > 1) return Error{"One model at a time: " + inQuotes(positional[1]) + " is too much."};
+  return positional[0];
+}
+
 Result<Model> loadModel(std::string_view nameOrPath, std::ostream& err) {
   const bool fromFile = isGltfPath(nameOrPath);
   auto model = fromFile ? readGltfFile(std::string(nameOrPath)) : findBuiltInModel(nameOrPath);

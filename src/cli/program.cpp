@@ -7,6 +7,7 @@
 
 #include "cli/audit_command.h"
 #include "cli/bench_command.h"
+#include "cli/export_command.h"
 #include "cli/layout_command.h"
 #include "cli/models_command.h"
 #include "core/text.h"
@@ -16,7 +17,7 @@ namespace dimline {
 
 namespace {
 
-const std::array kCommands = {modelsCommand(), layoutCommand(), auditCommand(), benchCommand()};
+const std::array kCommands = {modelsCommand(), layoutCommand(), auditCommand(), benchCommand(), exportCommand()};
 
 void printHelp(std::ostream& out) {
   out << "dimline: dimension lines for parametric 3D models.\n\n"
