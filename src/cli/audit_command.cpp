@@ -4,6 +4,7 @@
 
 #include "cli/arguments.h"
 #include "cli/audit_report.h"
+#include "cli/given_values.h"
 #include "cli/load_model.h"
 #include "core/text.h"
 #include "models/models.h"
@@ -29,7 +30,7 @@ constexpr std::string_view kHelp =
     "                    of all models each in a folder of its name\n"
     "  --json            an array of objects in place of the tables\n";
 
-constexpr OptionRule kRules[] = {{"--set", OptionRule::Kind::kRepeatable, "NAME=VALUE"},
+constexpr OptionRule kRules[] = {kSetRule,
                                  {"--size", OptionRule::Kind::kValue, "WxH"},
                                  {"--step", OptionRule::Kind::kValue, "DEG"},
                                  {"--every", OptionRule::Kind::kValue, "N"},
@@ -41,7 +42,7 @@ constexpr OptionRule kRules[] = {{"--set", OptionRule::Kind::kRepeatable, "NAME=
 
 struct AuditOptions {
   std::string_view model;
-  std::vector<std::string_view> assignments;
+  Assignments assignments;
   AuditPlan plan;
   std::size_t worst = 0;
   std::optional<std::string> svgFolder;
@@ -86,7 +87,9 @@ Result<AuditOptions> parseOptions(std::span<const std::string_view> list) {
   options.model = arguments->positional()[0];
   options.json = arguments->has("--json");
   options.plan.extremes = arguments->has("--extremes");
-  for (const std::string_view assignment : arguments->values("--set")) options.assignments.push_back(assignment);
+  auto assignments = assignmentsOf(*arguments);
+  if (!assignments) return assignments.error();
+  options.assignments = std::move(assignments).value();
   if (const auto size = arguments->value("--size")) {
     if (Status status = readSize(*size, options.plan); !status) return status.error();
   }
@@ -111,25 +114,10 @@ Result<AuditOptions> parseOptions(std::span<const std::string_view> list) {
   return options;
 }
 
-Result<Values> valuesFor(const Model& model, const std::vector<std::string_view>& assignments) {
-  Values values(model.parameters());
-  for (const std::string_view assignment : assignments) {
-    const std::size_t equals = assignment.find('=');
-    if (equals == std::string_view::npos)
-      return Error{"--set takes NAME=VALUE, such as Width=9.5, not " + inQuotes(assignment) + "."};
-    const auto index = findParameter(model.parameters(), trim(assignment.substr(0, equals)));
-    if (!index) return Error{"The model has no parameter " + inQuotes(assignment.substr(0, equals)) + "."};
-    const auto value = parseValue(model.parameters()[*index], assignment.substr(equals + 1));
-    if (!value) return value.error();
-    values.set(*index, *value);
-  }
-  return values;
-}
-
 Outcome auditOne(std::string_view name, const AuditOptions& options, JsonWriter& json, const Streams& streams) {
   const auto model = loadModel(name, streams.err);
   if (!model) return badInput(model.error());
-  const auto values = valuesFor(*model, options.assignments);
+  const auto values = valuesOf(*model, options.assignments);
   if (!values) return badInput(values.error());
   const std::vector<AuditPart> parts = auditModel(*model, *values, options.plan, streams.err);
   if (options.svgFolder) {

@@ -10,8 +10,9 @@ namespace dimline {
 std::vector<unsigned char> encodePng(const Image& image) {
   std::vector<unsigned char> bytes;
   const auto append = [](void* to, void* data, int size) {
+    auto& all = *static_cast<std::vector<unsigned char>*>(to);
     const auto* first = static_cast<const unsigned char*>(data);
-    static_cast<std::vector<unsigned char>*>(to)->insert(static_cast<std::vector<unsigned char>*>(to)->end(), first, first + size);
+    all.insert(all.end(), first, first + size);
   };
   const int width = static_cast<int>(image.width), height = static_cast<int>(image.height);
   if (stbi_write_png_to_func(append, &bytes, width, height, 4, image.rgba.data(), width * 4) == 0) bytes.clear();
