@@ -77,7 +77,6 @@ void Editor::State::begin(const Values& first) {
   continuing.reset();
   history.clear();
   places.clear();
-  beforeHidden = {};
   values = first;
   placer.forget();
   clearLines();

@@ -103,11 +103,6 @@ struct Editor::State {
   std::vector<float> handleScales, otherScales;  ///< parallel to lineStates and otherStates
   bool linesShown = true;
   bool hiddenShown = false;
-  struct BeforeHidden {
-    Placer::Memory memory;
-    Values values;
-    PlaceMemory::Picture picture;
-  } beforeHidden;  ///< so that every line goes back where it was, if nothing else has changed
   bool placedOnce = false;
   bool placedInScene = false;  ///< `placed` is of `scene`, not of the one before it
   Timings timings;

@@ -127,11 +127,6 @@ void Editor::setHiddenShown(bool shown) {
   State& s = *state_;
   if (s.hiddenShown == shown) return;
   s.hiddenShown = shown;
-  if (shown && s.loaded && s.hasSize()) {
-    s.beforeHidden = {s.placer.memory(), s.values, s.picture()};
-  } else if (!shown && s.loaded && s.hasSize() && s.beforeHidden.values == s.values && s.beforeHidden.picture == s.picture() && !s.handleGesture) {
-    s.recall = s.beforeHidden.memory;
-  }
   s.placer.showHidden(shown);
   s.viewStale = true;
 }

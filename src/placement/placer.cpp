@@ -29,10 +29,9 @@ Placer& Placer::operator=(Placer&&) noexcept = default;
 
 void Placer::forget() {
   State::Past& past = state_->past;
-  for (std::size_t i = 0; i < past.histories.size(); ++i) past.histories[i] = History(static_cast<std::int32_t>(i));
+  past.forget();
+  state_->onDemand.forget();
   past.placingOrder.forget();
-  past.lookAhead.forget();
-  past.labels.forget();
   past.mending = {};
   past.sights.clear();
   past.view.reset();
@@ -40,26 +39,42 @@ void Placer::forget() {
   past.crowdedFrames = kReturnFrames;
 }
 
+void Placer::State::Choices::forget() {
+  setParameters(0, histories.size());
+  labels.forget();
+}
+
+void Placer::State::Choices::setParameters(std::size_t common, std::size_t count) {
+  histories.resize(common, History(-1));
+  while (histories.size() < count) histories.push_back(History(static_cast<std::int32_t>(histories.size())));
+  lookAhead.forget();
+}
+
 struct Placer::Memory::Content {
   State::Past past;
+  State::Choices onDemand;
   Foresight foresight;   ///< of the same model, whose object planes it has looked at
 };
 
 Placer::Memory Placer::memory() const {
   Memory memory;
-  memory.content_ = std::make_shared<const Memory::Content>(Memory::Content{state_->past, state_->foresight});
+  memory.content_ = std::make_shared<const Memory::Content>(Memory::Content{state_->past, state_->onDemand, state_->foresight});
   return memory;
 }
 
 void Placer::recall(const Memory& memory) {
   if (memory.content_ == nullptr || memory.content_->past.histories.size() != state_->past.histories.size()) return;
   state_->past = memory.content_->past;
+  state_->onDemand = memory.content_->onDemand;
   state_->foresight = memory.content_->foresight;
 }
 
 void Placer::awaitFields() { state_->past.sceneChanged = state_->past.sceneChanged || !state_->firm; }
 
-void Placer::showHidden(bool shown) { state_->showHidden = shown; }
+void Placer::showHidden(bool shown) {
+  if (shown && !state_->showHidden) state_->onDemand.forget();
+  state_->showHidden = shown;
+}
 
 void Placer::setScene(const Model& model, const Scene& scene) {
   State& s = *state_;
@@ -78,17 +93,13 @@ void Placer::setScene(const Model& model, const Scene& scene) {
   s.bounds = scene.bounds;
   s.toleranceM = kSamePlaneDistance * scene.bounds.diagonal();
   s.parameters.assign(parameters.begin(), parameters.end());
-  if (!sameModel) {
-    s.past.histories.assign(s.parameters.size(), History(-1));
-    forget();
-  } else if (s.past.histories.size() != s.parameters.size()) {
-    s.past.histories.resize(common, History(-1));
-    while (s.past.histories.size() < s.parameters.size()) s.past.histories.push_back(History(static_cast<std::int32_t>(s.past.histories.size())));
-    s.past.lookAhead.forget();
+  if (!sameModel || s.past.histories.size() != s.parameters.size()) {
+    for (State::Choices* choices : s.allChoices()) choices->setParameters(sameModel ? common : 0, s.parameters.size());
     s.past.mending = {};
   }
+  if (!sameModel) forget();
   if (edited) {
-    for (History& history : s.past.histories) history.forgetOffset();
+    s.forgetOffsets();
     s.past.sceneChanged = true;
   }
   const std::vector<Measured> before = std::exchange(s.order, {});
@@ -125,8 +136,10 @@ void Placer::State::keepChains(std::span<const Measured> before, const Measured&
     const auto old = static_cast<std::size_t>(number);
     return old < was->clusters.size() ? successor(was->clusters[old], now.clusters) : -1;
   };
-  past.histories[now.parameter].renumberChains(numberNow);
-  past.labels.renumberChains(static_cast<std::int32_t>(now.parameter), numberNow);
+  for (Choices* choices : allChoices()) {
+    choices->histories[now.parameter].renumberChains(numberNow);
+    choices->labels.renumberChains(static_cast<std::int32_t>(now.parameter), numberNow);
+  }
 }
 
 void Placer::place(const View& view, const DistanceFields& fields, const Values& values, Layout& layout,
@@ -161,6 +174,7 @@ void Placer::place(const View& view, const DistanceFields& fields, const Values&
   }
   s.firm = firm;
   s.past.labels.note(layout.lines, viewMoved);
+  if (s.showHidden) s.placeOnDemand(frame, sceneChanged, layout);
 
   layout.view = view;
   layout.visibleScopes.clear();
@@ -216,7 +230,7 @@ void Placer::State::swapWithBest(Layout& layout) {
 void Placer::State::placeWithRoom(const FrameToPlace& frame, Layout& layout) {
   const View& view = frame.view;
   const auto roomFor = static_cast<std::size_t>(std::ceil(view.widthPx() * view.heightPx() / kCrowdedPx2));
-  const std::size_t mostCrowded = showHidden || roomFor >= editable ? 0 : std::min(editable - roomFor, order.size());
+  const std::size_t mostCrowded = roomFor >= editable ? 0 : std::min(editable - roomFor, order.size());
   std::size_t crowded = std::min(past.crowded, mostCrowded);
   // Now and then it is tried whether one that was hidden has room again.
   if (crowded > 0 && frame.viewMoved && past.crowdedFrames >= kReturnFrames) --crowded;
@@ -231,16 +245,37 @@ void Placer::State::placeWithRoom(const FrameToPlace& frame, Layout& layout) {
   past.crowdedFrames = tooFew ? 0 : std::min(past.crowdedFrames + (frame.viewMoved ? 1 : 0), kReturnFrames);
 }
 
+/// Places beside what has been placed what is shown on demand. All that was there stays where it is.
+void Placer::State::placeOnDemand(const FrameToPlace& frame, bool sceneChanged, Layout& layout) {
+  const std::size_t shown = layout.lines.size();
+  const auto isHidden = [&](std::size_t parameter) { return std::ranges::find(layout.hidden, parameter, &HiddenParameter::parameter) != layout.hidden.end(); };
+  // What the frame itself no longer shows is shown on where it was.
+  for (std::size_t i = 0; i < past.histories.size(); ++i) {
+    if (!isHidden(i)) onDemand.histories[i] = past.histories[i];
+    else if (frame.viewMoved) onDemand.histories[i].age();
+  }
+  std::swap<Choices>(past, onDemand);
+  showAll = true;
+  past.lookAhead.begin(frame.viewMoved || sceneChanged);
+  past.lookAhead.project(order, past.placingOrder.ranks(), frame.view, frame.fields);
+  placeAllHidden(frame, layout);
+  past.labels.note(std::span(layout.lines).subspan(shown), frame.viewMoved);
+  showAll = false;
+  std::swap<Choices>(past, onDemand);
+}
+
+void Placer::State::forgetOffsets() {
+  for (Choices* choices : allChoices()) std::ranges::for_each(choices->histories, &History::forgetOffset);
+}
+
 /// Ages what is remembered. Returns whether the view has changed since the last frame.
 bool Placer::State::beginFrame(const View& view) {
   const bool moved = !past.view || !samePicture(view, *past.view);
   // An offset of so many metres is another on screen in a viewport of another size.
   const bool resized = past.view && (view.widthPx() != past.view->widthPx() || view.heightPx() != past.view->heightPx());
   past.view = view;
-  for (History& history : past.histories) {
-    if (moved) history.age();
-    if (resized) history.forgetOffset();
-  }
+  if (moved) std::ranges::for_each(past.histories, &History::age);
+  if (resized) forgetOffsets();
   return moved;
 }
 

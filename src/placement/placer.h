@@ -39,7 +39,7 @@ class Placer {
   void recall(const Memory& memory);
 
   /// From the next frame on, handles are shown too that are hidden as occluded, too short, foreshortened or crowded (paper 5, "Rendering Handles": a modifier key
-  /// shows all hidden handles). At the start they are not. To have every line back where it was before, recall the memory() of then.
+  /// shows all hidden handles). At the start they are not. They find their places beside those that are there anyway, none of which moves for them, and leave nothing behind.
   void showHidden(bool shown);
 
   /// One frame. `fields` are the model's own, of the same viewport as `view`; `visibility` says how much of each of the scene's scopes is seen, from

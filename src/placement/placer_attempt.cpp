@@ -42,6 +42,9 @@ void moveAside(std::vector<Vec2>& extension, const Vec2& towardsMiddle, const La
   for (Vec2& p : extension) p += towardsMiddle * (kExtensionAsidePx / length);
 }
 
+/// An arc that stays in its scope's frame: all others keep clear of it.
+bool hasOnePlace(const Measured& other) { return other.annotation.type == HandleType::kAngular && other.annotation.slip == Slip::kNone; }
+
 /// Takes one out of the spare ones, with the memory that it holds, or makes one.
 template <typename Thing>
 Thing& append(std::vector<Thing>& to, std::vector<Thing>& spare) {
@@ -79,10 +82,8 @@ bool Placer::State::placeAll(const FrameToPlace& frame, std::size_t crowded, Lay
   occupied.clear();
   // What is held stays where it is: shorter lines come before it, but must leave it room.
   for (const PlacedLine& line : held) occupied.reserve(line);
-  // An arc that stays in its scope's frame has one place only, so all others keep clear of it.
-  const auto stays = [](const Measured& other) { return other.annotation.type == HandleType::kAngular && other.annotation.slip == Slip::kNone; };
   for (const Measured& other : others) {
-    if (stays(other)) placeOther(other, view, values.at(other.parameter), layout);
+    if (hasOnePlace(other)) placeOther(other, view, values.at(other.parameter), layout);
   }
   outcome.begin(order.size());
   bool cramped = false;
@@ -105,19 +106,16 @@ bool Placer::State::placeAll(const FrameToPlace& frame, std::size_t crowded, Lay
       past.histories[measured.parameter].choseNone();
     } else {
       const Identity* avoid = avoided && avoided->rank == rank ? &avoided->place : nullptr;
-      const bool runsInto = placeLines(rank,
-                                       {view, fields, occupied, past.lookAhead, past.labels, object, foresight, scopes, usableScopes(measured), past.sights, object.toleranceM, viewMoved,
-                                        firm, patient(), avoid, asksForRoom, showHidden},
-                                       values.at(measured.parameter), layout);
+      const bool runsInto = placeLines(rank, contextOf(frame, object, measured, avoid), values.at(measured.parameter), layout);
       // A measure takes no place from what can be edited.
       cramped |= runsInto && !parameters[measured.parameter].measure;
     }
     if (isHeld) occupied.reserve(*inHand);
   }
   // Lines are bound to their planes; a switch finds a place nearly anywhere, so it takes what they leave.
-  const bool noPills = !showHidden && view.widthPx() * view.heightPx() < kPillsCrowdedPx2 * static_cast<double>(editable);
+  const bool noPills = view.widthPx() * view.heightPx() < kPillsCrowdedPx2 * static_cast<double>(editable);
   for (const Measured& other : others) {
-    if (stays(other)) continue;
+    if (hasOnePlace(other)) continue;
     if (noPills && other.annotation.type != HandleType::kAngular) {
       layout.hidden.push_back({other.parameter, other.scopes.empty() ? HiddenReason::kNoScope : HiddenReason::kCrowded});
       past.histories[other.parameter].choseNone(true);
@@ -125,13 +123,44 @@ bool Placer::State::placeAll(const FrameToPlace& frame, std::size_t crowded, Lay
       placeOther(other, view, values.at(other.parameter), layout);
     }
   }
-  labelInside(frame, layout);
+  labelInside(frame, layout.lines);
   return cramped;
 }
 
+/// Places what has no handle yet, whatever it is hidden for, beside all that has one.
+void Placer::State::placeAllHidden(const FrameToPlace& frame, Layout& layout) {
+  // What is there is the best of the attempts, which need not have been the last one.
+  occupied.clear();
+  for (const PlacedLine& line : layout.lines) occupied.add(line, guideThrough(line));
+  for (const PlacedHandle& other : layout.others) occupied.add(other, frame.view);
+  const std::size_t shown = layout.lines.size();
+  std::swap(wanting, layout.hidden);
+  layout.hidden.clear();
+  const auto wants = [&](const Measured& measured) { return std::ranges::find(wanting, measured.parameter, &HiddenParameter::parameter) != wanting.end(); };
+  const auto placeOthers = [&](bool withOnePlace) {
+    for (const Measured& other : others) {
+      if (hasOnePlace(other) == withOnePlace && wants(other)) placeOther(other, frame.view, frame.values.at(other.parameter), layout);
+    }
+  };
+  placeOthers(true);
+  const ObjectPlanesInFrame object{objectPlanes, objectPlaneUses, toleranceM};
+  for (const std::size_t rank : past.placingOrder.ranks()) {
+    const Measured& measured = order[rank];
+    past.lookAhead.reach(rank);
+    if (wants(measured)) placeLines(rank, contextOf(frame, object, measured, nullptr), frame.values.at(measured.parameter), layout);
+  }
+  placeOthers(false);
+  labelInside(frame, std::span(layout.lines).subspan(shown));
+}
+
+ChoiceContext Placer::State::contextOf(const FrameToPlace& frame, const ObjectPlanesInFrame& object, const Measured& measured, const Identity* avoid) {
+  return {frame.view, frame.fields, occupied, past.lookAhead, past.labels, object, foresight, scopes, usableScopes(measured), past.sights, toleranceM, frame.viewMoved,
+          firm, patient(), avoid, asksForRoom, showAll};
+}
+
 /// Lines inside the model get their labels last, where there is room for them: such a line says what it is by where it lies, and all else has no other way to say it.
-void Placer::State::labelInside(const FrameToPlace& frame, Layout& layout) {
-  for (PlacedLine& line : layout.lines) {
+void Placer::State::labelInside(const FrameToPlace& frame, std::span<PlacedLine> lines) {
+  for (PlacedLine& line : lines) {
     if (line.placement != PlacementKind::kInside || line.label) continue;
     const auto measured = std::ranges::find(order, line.parameter, &Measured::parameter);
     LabelRequest request{.line = line.lineScreen, .textSize = measured->textSize, .last = past.labels.last(line.identity, 0, frame.viewMoved)};
@@ -147,7 +176,7 @@ void Placer::State::labelInside(const FrameToPlace& frame, Layout& layout) {
 
 /// The scopes that may carry a line of this parameter in this frame; one a scope.
 std::span<const char> Placer::State::usableScopes(const Measured& measured) const {
-  if (!measured.annotation.occlusion || showHidden) return inView;
+  if (!measured.annotation.occlusion || showAll) return inView;
   return past.histories[measured.parameter].shownAnew() ? plain : seen;
 }
 
@@ -281,17 +310,21 @@ void Placer::State::landHeld(Measured& measured, const PlacedLine& held, Layout&
   Identity place = held.identity;
   if (place.chain >= 0) place.scopeIndex = -1;   // that of the chain, not of its member
   past.histories[held.parameter].hold(place, glm::length(fromFoot - along * glm::dot(fromFoot, along)));
-  int guide = -1;
   if (held.placement != PlacementKind::kInside) {
-    guide = occupied.guides().through(held.line, held.plane, toleranceM);
-    if (guide < 0) guide = occupied.addGuide(held.plane, held.line);
     past.lookAhead.note(held.parameter, held.base, held.foot, held.line);
   } else {
     past.lookAhead.noteInside(held.parameter, held.base);
   }
   PlacedLine& line = append(layout.lines, spareLines);
   line = held;
-  occupied.add(line, guide);
+  occupied.add(line, guideThrough(line));
+}
+
+/// The guide that a line lies on, a new one if there is none; -1 inside the model.
+int Placer::State::guideThrough(const PlacedLine& line) {
+  if (line.placement == PlacementKind::kInside) return -1;
+  const int guide = occupied.guides().through(line.line, line.plane, toleranceM);
+  return guide >= 0 ? guide : occupied.addGuide(line.plane, line.line);
 }
 
 void Placer::State::placeOther(const Measured& measured, const View& view, double value, Layout& layout) {
@@ -299,7 +332,7 @@ void Placer::State::placeOther(const Measured& measured, const View& view, doubl
   scopesInSight.clear();
   std::ranges::copy_if(measured.scopes, std::back_inserter(scopesInSight), [&](std::size_t scope) { return usable[scope] != 0; });
   History& history = past.histories[measured.parameter];
-  const OtherHandle handle{measured.parameter, parameters[measured.parameter], measured.annotation, scopesInSight, value, history, firm && !showHidden, foresight.nears(), showHidden};
+  const OtherHandle handle{measured.parameter, parameters[measured.parameter], measured.annotation, scopesInSight, value, history, firm && !showAll, foresight.nears(), showAll};
   const OtherHandleContext context{view, occupied.padded(), occupied.landed(), scopes};
   PlacedHandle& placed = append(layout.others, spareHandles, measured.parameter);
   placed.parameter = measured.parameter;

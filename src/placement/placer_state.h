@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <span>
 #include <utility>
@@ -38,13 +39,21 @@ struct Placer::State {
   std::size_t mostLines = 0;          ///< more are not in a frame: one a scope of each parameter
   std::vector<ObjectPlane> objectPlanes;
 
-  /// What is remembered of the frames before.
-  struct Past {
+  /// Where handles and labels were in the frames before.
+  struct Choices {
     std::vector<History> histories;   ///< one a parameter
-    std::vector<Sight> sights;        ///< one a scope
-    PlacingOrder placingOrder;
     LookAhead lookAhead;
     LabelMemory labels;
+
+    void forget();
+    /// There are `count` parameters from now on, of which the first `common` are the same ones as before.
+    void setParameters(std::size_t common, std::size_t count);
+  };
+
+  /// What is remembered of the frames before.
+  struct Past : Choices {
+    std::vector<Sight> sights;        ///< one a scope
+    PlacingOrder placingOrder;
     Mending mending;
     std::optional<View> view;         ///< of the last frame
     std::size_t crowded = 0;          ///< how many of the shortest lines are hidden for want of room
@@ -53,6 +62,8 @@ struct Placer::State {
   };
   Past past;
   bool showHidden = false;
+  Choices onDemand;                   ///< what showHidden adds has a memory of its own, or it would change what is shown without it
+  bool showAll = false;               ///< that is what is being placed
   Past beforePlacing;                 ///< in a viewport that may be too small: what to go back to
   Outcome outcome;
   bool firm = false;                  ///< see ChoiceContext
@@ -79,14 +90,18 @@ struct Placer::State {
   std::vector<char> seen;             ///< one a scope: in view, and not hidden by the model
   std::vector<char> plain;            ///< those of them that what is hidden may be shown for
   std::vector<std::size_t> scopesInSight;
+  std::vector<HiddenParameter> wanting;   ///< what has no handle yet when those on demand are placed
   std::vector<PlacedLine> spareLines;
   std::vector<PlacedHandle> spareHandles;
 
+  [[nodiscard]] std::array<Choices*, 2> allChoices() { return {&past, &onDemand}; }
+
   /// See ChoiceContext. What an edit brings is shown at once, and so is what a first picture has room for.
-  [[nodiscard]] bool patient() const { return firm && !opening && !showHidden; }
+  [[nodiscard]] bool patient() const { return firm && !opening && !showAll; }
 
   // placer.cpp
   void keepChains(std::span<const Measured> before, const Measured& now);
+  void forgetOffsets();
   bool beginFrame(const View& view);
   void findVisible(const View& view, const ScopeVisibility* visibility, int framesOn);
   void placeOnce(const FrameToPlace& frame, bool sceneChanged, bool shown, Layout& layout);
@@ -94,10 +109,13 @@ struct Placer::State {
   void beginAttempt(Layout& layout);
   void swapWithBest(Layout& layout);
   void placeWithRoom(const FrameToPlace& frame, Layout& layout);
+  void placeOnDemand(const FrameToPlace& frame, bool sceneChanged, Layout& layout);
 
   // placer_attempt.cpp
   bool placeAll(const FrameToPlace& frame, std::size_t crowded, Layout& layout);
-  void labelInside(const FrameToPlace& frame, Layout& layout);
+  void placeAllHidden(const FrameToPlace& frame, Layout& layout);
+  void labelInside(const FrameToPlace& frame, std::span<PlacedLine> lines);
+  [[nodiscard]] ChoiceContext contextOf(const FrameToPlace& frame, const ObjectPlanesInFrame& object, const Measured& measured, const Identity* avoid);
   [[nodiscard]] std::span<const char> usableScopes(const Measured& measured) const;
   [[nodiscard]] BaseLineTally scopesOutOfSight(const Measured& measured) const;
   bool placeLines(std::size_t rank, const ChoiceContext& context, double value, Layout& layout);
@@ -105,6 +123,7 @@ struct Placer::State {
   void judgeChoice(std::size_t rank, const History& history);
   void landChoice(const Measured& measured, double value, Layout& layout);
   void landHeld(Measured& measured, const PlacedLine& held, Layout& layout);
+  int guideThrough(const PlacedLine& line);
   void placeOther(const Measured& measured, const View& view, double value, Layout& layout);
 };
 

@@ -262,3 +262,36 @@ TEST_CASE("a line that is let go of keeps its place, and leaps nowhere, on the g
     stage.settle();
   }
 }
+
+TEST_CASE("in every model, what is shown on demand moves nothing that is shown anyway, however the camera moves meanwhile") {
+  std::size_t shownOnDemand = 0;
+  for (const BuiltInModel& builtIn : builtInModels()) {
+    if (!tested(builtIn.name)) continue;
+    INFO(builtIn.name);
+    EditorStage plain(builtIn.define());
+    EditorStage all(builtIn.define());
+    for (EditorStage* stage : {&plain, &all}) stage->editor.setReducedMotion(true);
+    const Bounds& bounds = plain.editor.scene().bounds;
+    for (int frame = 0; frame < 24; ++frame) {
+      INFO("frame " << frame);
+      all.editor.setHiddenShown(frame % 12 >= 3);
+      for (EditorStage* stage : {&plain, &all}) {
+        REQUIRE(stage->editor.setCamera(orbitCamera(bounds.center(), 30 + 2 * frame, 5.0 * frame, (2.4 - 0.05 * frame) * bounds.diagonal())));
+        stage->settle();
+      }
+      const Layout& fewer = plain.editor.layout();
+      const Layout& more = all.editor.layout();
+      REQUIRE(more.lines.size() >= fewer.lines.size());
+      REQUIRE(more.others.size() >= fewer.others.size());
+      REQUIRE(std::equal(fewer.lines.begin(), fewer.lines.end(), more.lines.begin(), sameLine));
+      for (std::size_t i = 0; i < fewer.others.size(); ++i) {
+        REQUIRE(more.others[i].identity == fewer.others[i].identity);
+        REQUIRE(more.others[i].box.min == fewer.others[i].box.min);
+        REQUIRE(more.others[i].box.max == fewer.others[i].box.max);
+      }
+      for (const HiddenParameter& hidden : more.hidden) REQUIRE(std::ranges::find(fewer.hidden, hidden.parameter, &HiddenParameter::parameter) != fewer.hidden.end());
+      shownOnDemand += fewer.hidden.size() - more.hidden.size();
+    }
+  }
+  CHECK(shownOnDemand > 0);
+}
