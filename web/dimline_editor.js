@@ -10,7 +10,7 @@ import { loadLabelFont } from "./label_font.js";
 import { decimalMark } from "./numbers.js";
 import { Overlay } from "./overlay.js";
 import { PointerInput } from "./pointer_input.js";
-import { changeSentence } from "./spoken.js";
+import { changeSentence, hiddenSentence } from "./spoken.js";
 import { makeDeferred, Waiting } from "./waiting.js";
 
 // In node there is no DOM: the module can be imported there, and the element not be made.
@@ -549,7 +549,19 @@ export class DimlineEditor extends Base {
   }
 
   #showHidden() {
-    if (this.#core) this.#act((core) => (core.hiddenShown = this.#peeking || this.#hiddenShown));
+    const shown = this.#peeking || this.#hiddenShown;
+    if (!this.#core || this.#core.hiddenShown === shown) return;
+    this.#act((core) => {
+      if (shown && this.#hasModel) this.#sayWhatIsHidden(core.layout().hidden);
+      core.hiddenShown = shown;
+    });
+  }
+
+  #sayWhatIsHidden(hidden) {
+    const count = hidden.filter(({ reason }) => reason !== "out-of-view" && reason !== "no-scope").length;
+    // What comes into view is seen by those who see.
+    if (count > 0) this.#overlay.announce(hiddenSentence(count));
+    else this.#overlay.say(null, hiddenSentence(count));
   }
 
   #showLines() {

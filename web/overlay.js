@@ -251,14 +251,14 @@ export class Overlay {
     const value = core.parseValue(name, text);
     core.setParameters({ [name]: value });
     if (value > max || value < min) {
-      this.#say(name, limitSentence(title, value > max, core.inputText(name)));
+      this.say(name, limitSentence(title, value > max, core.inputText(name)));
     }
   }
 
   #reset(name) {
     this.#host.guard(() => {
       this.#host.act((core) => core.resetParameter(name));
-      this.#say(name, `${this.#titleOf(name)} reset to ${this.#host.core().inputText(name)}.`);
+      this.say(name, `${this.#titleOf(name)} reset to ${this.#host.core().inputText(name)}.`);
     });
   }
 
@@ -267,7 +267,8 @@ export class Overlay {
     this.#live.textContent = sentence;
   }
 
-  #say(name, sentence) {
+  /** Says a sentence to all: beside a parameter's handle, or in the middle of the picture. */
+  say(name, sentence) {
     this.announce(sentence);
     const middle = [this.#stage.offsetWidth / 2, this.#stage.offsetHeight / 2];
     this.#saidOf = name;

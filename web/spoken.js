@@ -26,5 +26,11 @@ export function changeSentence(word, before, after, mark) {
   return `${word}: ${named.join(", ")}${more > 0 ? ` and ${more} more` : ""}.`;
 }
 
+/** How many hidden lines and other handles come into view: "2 hidden lines are shown." */
+export function hiddenSentence(count) {
+  if (count === 0) return "Nothing is hidden in this view.";
+  return count === 1 ? "1 hidden line is shown." : `${count} hidden lines are shown.`;
+}
+
 /** That a value is at its limit: "Width is at most 15.00 m." */
 export const limitSentence = (title, most, text) => `${title} is ${most ? "at most" : "at least"} ${text}.`;

@@ -6,7 +6,7 @@ import { openHouse } from "./support/house.mjs";
 import { call, layoutOf, openPage, pictureBox, recordEvents, screenshot, settle, takeEvents, valueOf } from "./support/page.mjs";
 
 let browser, tab, page, defaults;
-openHouse({ width: 1100, height: 800 }, (desk) => ({ browser, tab, page, defaults } = desk));
+openHouse({ width: 1100, height: 800, drawn: false }, (desk) => ({ browser, tab, page, defaults } = desk));
 
 const parameter = async (name) => (await call(page, "getParameters")).find((p) => p.name === name);
 const readout = (of = page) => inside(of, ".readout[data-shown]");
@@ -252,12 +252,26 @@ test("hidden lines are shown while H is held, while the button is held, or until
   assert.equal(await button.getAttribute("aria-pressed"), "false");
 });
 
+test("where nothing is hidden, showing it says so", async () => {
+  await page.mouse.move(2, 2);
+  const before = await layoutOf(page);
+  assert.deepEqual(before.hidden, []);
+  await page.keyboard.down("h");
+  await settle(page);
+  assert.equal(await inside(page, "[role=status]").textContent(), "Nothing is hidden in this view.");
+  assert.ok(await inside(page, ".readout[data-shown]").isVisible());
+  await page.keyboard.up("h");
+  await settle(page);
+  assert.deepEqual((await layoutOf(page)).lines, before.lines);
+});
+
 test("fingers: the value stands above them, limits buzz, a double tap resets, a second finger beside the lines changes nothing", async () => {
   const { page: phone, close } = await openPage(browser, {
     width: 390,
     height: 844,
     dpr: 2,
     touch: true,
+    drawn: false,
     prepare: (other) => other.addInitScript(() => {
       window.buzzes = 0;
       Object.defineProperty(navigator, "vibrate", { value: () => ++window.buzzes });
@@ -298,7 +312,7 @@ test("fingers: the value stands above them, limits buzz, a double tap resets, a 
 });
 
 test("two fingers drag two lines at once, each under its own, the second on when the first is lifted: one undo step", async () => {
-  const { page: phone, close } = await openPage(browser, { width: 800, height: 900, touch: true });
+  const { page: phone, close } = await openPage(browser, { width: 800, height: 900, touch: true, drawn: false });
   await recordEvents(phone);
   const fingers = await fingersOf(phone);
   const picture = await pictureBox(phone);
@@ -349,7 +363,7 @@ test("two fingers drag two lines at once, each under its own, the second on when
 });
 
 test("under a finger the options of a choice are 44 px high, stay in the picture, and can be chosen", async () => {
-  const { page: phone, close } = await openPage(browser, { width: 390, height: 844, dpr: 2, touch: true });
+  const { page: phone, close } = await openPage(browser, { width: 390, height: 844, dpr: 2, touch: true, drawn: false });
   const { parameter: name, box } = (await layoutOf(phone)).others.find(({ type }) => type === "range");
   const picture = await pictureBox(phone);
   await phone.touchscreen.tap(picture.x + (box[0] + box[2]) / 2, picture.y + (box[1] + box[3]) / 2);

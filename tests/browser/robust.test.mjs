@@ -170,7 +170,7 @@ test("a module that cannot be loaded: the same", async () => {
 });
 
 test("an unknown model in the attribute: a message in the picture, and another model mends it", async () => {
-  const { page, complaints, close } = await openPage(browser);
+  const { page, complaints, close } = await openPage(browser, { drawn: false });
   const message = await page.evaluate(async () => {
     const other = document.createElement("dimline-editor");
     other.id = "other";
@@ -198,7 +198,7 @@ test("an unknown model in the attribute: a message in the picture, and another m
 });
 
 test("two elements on a page do not know each other; one that leaves frees what it held", async () => {
-  const { page, complaints, close } = await openPage(browser);
+  const { page, complaints, close } = await openPage(browser, { drawn: false });
   const state = await page.evaluate(async () => {
     const first = document.querySelector("#editor");
     const second = document.createElement("dimline-editor");
@@ -322,7 +322,7 @@ test("a camera inside the house gives a picture and a layout", async () => {
 test("people who asked for less motion get none: labels are there at once, and do not fade in", async () => {
   // In how many frames a label is to be seen through, until all has come to rest.
   const fadingFrames = async (reducedMotion) => {
-    const { page, close } = await openPage(browser, { reducedMotion });
+    const { page, close } = await openPage(browser, { reducedMotion, drawn: false });
     const count = await page.evaluate(async () => {
       const editor = document.querySelector("#editor");
       let frames = 0;
@@ -343,7 +343,7 @@ test("people who asked for less motion get none: labels are there at once, and d
 });
 
 test("a still page draws nothing", async () => {
-  const { page, close } = await openPage(browser);
+  const { page, close } = await openPage(browser, { drawn: false });
   const asked = await page.evaluate(async () => {
     let count = 0;
     const original = window.requestAnimationFrame;

@@ -1,7 +1,7 @@
 // Sentences for screen readers.
 import { test } from "node:test";
 import assert from "node:assert/strict";
-import { changeSentence, limitSentence } from "../../web/spoken.js";
+import { changeSentence, hiddenSentence, limitSentence } from "../../web/spoken.js";
 
 const pitch = (value) => ({ title: "Roof pitch", type: "angle", unit: "deg", step: 1, value });
 const width = (value) => ({ title: "Width", type: "float", unit: "m", step: 0.1, value });
@@ -21,6 +21,12 @@ test("of many changes the first are named and the others counted; of none that i
   assert.equal(changeSentence("Undone", before, after, "."), "Undone: Roof pitch 2°, Width 2.0 m, Floors 2 and 2 more.");
   assert.equal(changeSentence("Undone", before, before, "."), "Nothing to undo.");
   assert.equal(changeSentence("Redone", before, before, "."), "Nothing to redo.");
+});
+
+test("hidden lines that come into view are counted, and where there are none that is said", () => {
+  assert.equal(hiddenSentence(0), "Nothing is hidden in this view.");
+  assert.equal(hiddenSentence(1), "1 hidden line is shown.");
+  assert.equal(hiddenSentence(3), "3 hidden lines are shown.");
 });
 
 test("a limit is told with its value", () => {
