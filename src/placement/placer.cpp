@@ -248,10 +248,9 @@ void Placer::State::placeWithRoom(const FrameToPlace& frame, Layout& layout) {
 /// Places beside what has been placed what is shown on demand. All that was there stays where it is.
 void Placer::State::placeOnDemand(const FrameToPlace& frame, bool sceneChanged, Layout& layout) {
   const std::size_t shown = layout.lines.size();
-  const auto isHidden = [&](std::size_t parameter) { return std::ranges::find(layout.hidden, parameter, &HiddenParameter::parameter) != layout.hidden.end(); };
   // What the frame itself no longer shows is shown on where it was.
   for (std::size_t i = 0; i < past.histories.size(); ++i) {
-    if (!isHidden(i)) onDemand.histories[i] = past.histories[i];
+    if (!isHidden(layout.hidden, i)) onDemand.histories[i] = past.histories[i];
     else if (frame.viewMoved) onDemand.histories[i].age();
   }
   std::swap<Choices>(past, onDemand);

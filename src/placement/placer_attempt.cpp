@@ -136,10 +136,9 @@ void Placer::State::placeAllHidden(const FrameToPlace& frame, Layout& layout) {
   const std::size_t shown = layout.lines.size();
   std::swap(wanting, layout.hidden);
   layout.hidden.clear();
-  const auto wants = [&](const Measured& measured) { return std::ranges::find(wanting, measured.parameter, &HiddenParameter::parameter) != wanting.end(); };
   const auto placeOthers = [&](bool withOnePlace) {
     for (const Measured& other : others) {
-      if (hasOnePlace(other) == withOnePlace && wants(other)) placeOther(other, frame.view, frame.values.at(other.parameter), layout);
+      if (hasOnePlace(other) == withOnePlace && isHidden(wanting, other.parameter)) placeOther(other, frame.view, frame.values.at(other.parameter), layout);
     }
   };
   placeOthers(true);
@@ -147,7 +146,7 @@ void Placer::State::placeAllHidden(const FrameToPlace& frame, Layout& layout) {
   for (const std::size_t rank : past.placingOrder.ranks()) {
     const Measured& measured = order[rank];
     past.lookAhead.reach(rank);
-    if (wants(measured)) placeLines(rank, contextOf(frame, object, measured, nullptr), frame.values.at(measured.parameter), layout);
+    if (isHidden(wanting, measured.parameter)) placeLines(rank, contextOf(frame, object, measured, nullptr), frame.values.at(measured.parameter), layout);
   }
   placeOthers(false);
   labelInside(frame, std::span(layout.lines).subspan(shown));

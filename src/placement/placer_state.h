@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <span>
@@ -27,6 +28,10 @@ struct FrameToPlace {
   std::span<const PlacedLine> held;
   bool viewMoved = false;   ///< since the last frame
 };
+
+[[nodiscard]] inline bool isHidden(std::span<const HiddenParameter> hidden, std::size_t parameter) {
+  return std::ranges::find(hidden, parameter, &HiddenParameter::parameter) != hidden.end();
+}
 
 struct Placer::State {
   std::vector<Parameter> parameters;
