@@ -7,7 +7,7 @@ import { colourStatistics, decodePng } from "./support/png.mjs";
 let browser, tab, page;
 before(async () => {
   browser = await launch();
-  tab = await openPage(browser);
+  tab = await openPage(browser, { drawn: false });
   page = tab.page;
 });
 after(async () => {
@@ -18,15 +18,17 @@ const parameters = () => call(page, "getParameters");
 const row = (name) => page.locator(`[data-name="${name}"].row`);
 
 test("the page opens under its strict policy without a complaint, and shows a picture", async () => {
-  const response = await page.request.get(page.url());
+  const { page: drawn, complaints, close } = await openPage(browser);
+  const response = await drawn.request.get(drawn.url());
   const policy = response.headers()["content-security-policy"];
   assert.match(policy, /script-src 'self' 'wasm-unsafe-eval'(;|$)/);
   assert.match(policy, /style-src 'self'(;|$)/);
   const { colours, commonest } = colourStatistics(
-    decodePng(await screenshot(page, "opening", { clip: await pictureBox(page) })),
+    decodePng(await screenshot(drawn, "opening", { clip: await pictureBox(drawn) })),
   );
   assert.ok(colours > 30 && commonest < 0.95, `${colours} colours, one of them on ${(commonest * 100).toFixed(0)} %`);
-  assert.deepEqual(tab.complaints, []);
+  assert.deepEqual(complaints, []);
+  await close();
 });
 
 test("every parameter has a labelled control with its value, its unit and its help", async () => {
