@@ -7,11 +7,14 @@ uniform float skin;
 uniform ivec2 scopes;    // how many, and how many stand over each other
 uniform highp sampler2D modelDepth;
 uniform highp sampler2D boxes;   // four texels a scope: origin, and the three axes, as long as the box is
-layout(location = 0) out uvec4 counts;   // samples covered, of those seen, whether the box's middle is seen
+// Samples covered, of those seen, whether the box's middle is seen, and which of its edges are, a bit each (SeenEdges): a texel looks at one, so that sums are sets.
+layout(location = 0) out uvec4 counts;
 
 const int kColumns = 16;
 // Samples looked at along either side of a box on screen, at most; of a larger one every second, third ...
 const int kGrid = 64;
+const int kEdges = 12;
+const int kEdgePoints = 8;
 
 vec3 directionTo(vec3 p) { return forward.w > 0.5 ? forward.xyz : normalize(p - eye.xyz); }
 
@@ -27,6 +30,24 @@ vec3 boxTexel(int scope, int i) {
   int texel = scope * 4 + i;
   int width = textureSize(boxes, 0).x;
   return texelFetch(boxes, ivec2(texel % width, texel / width), 0).xyz;
+}
+
+// As CpuVisibility has it: the ends are moved nearer and projected, and what lies between them lies between their clip coordinates.
+bool edgeSeen(vec3 origin, mat3 edges, int edge) {
+  int axis = edge / 4;
+  vec3 from = origin + edges[(axis + 1) % 3] * float(edge & 1) + edges[(axis + 2) % 3] * float(edge >> 1 & 1);
+  vec3 to = from + edges[axis];
+  vec4 a = worldToClip * vec4(from - directionTo(from) * skin, 1.0), b = worldToClip * vec4(to - directionTo(to) * skin, 1.0);
+  int points = 0, seen = 0;
+  for (int i = 0; i < kEdgePoints; ++i) {
+    vec4 clip = mix(a, b, (float(i) + 0.5) / float(kEdgePoints));
+    vec3 ndc = clip.xyz / clip.w;
+    if (!(clip.w > 0.0) || any(greaterThanEqual(abs(ndc.xy), vec2(1.0)))) continue;
+    ++points;
+    ivec2 texel = ivec2((ndc.xy * 0.5 + 0.5) * vec2(textureSize(modelDepth, 0)));
+    if (ndc.z * 0.5 + 0.5 <= texelFetch(modelDepth, texel, 0).r) ++seen;
+  }
+  return 2 * seen >= points;
 }
 
 void main() {
@@ -47,6 +68,7 @@ void main() {
       counts.z = seenAt(middle, ivec2((ndc * 0.5 + 0.5) * vec2(size))) ? 1u : 0u;
     }
   }
+  if (chunk < kEdges && edgeSeen(origin, edges, chunk)) counts.w = 1u << chunk;
 
   // The samples that the box may cover: all when it reaches behind the near plane.
   vec2 low = vec2(size), high = vec2(0.0);

@@ -124,10 +124,12 @@ inline constexpr double kScoreInside = -40.0 * kHandleSpacingPx;
 /// What it costs a line inside the model to run across another's extension line, through a label, or into a line inside that is still to be placed: more than staying is worth, since
 /// its other base lines are near by.
 inline constexpr double kScoreAmissInside = -22.0 * kHandleSpacingPx;
-/// What it costs a line inside that the model is before it: it seems to measure what it is drawn over. More than running across something. It counts from so much (sine of the angle by
-/// which the faces beside it are turned away) for a line that is there already: fewer changes at the edge of sight, and a line that is seen through the model for a little longer.
-inline constexpr double kScoreBehindScope = -25.0 * kHandleSpacingPx;
-inline constexpr double kBehindScopeSin = 0.15;
+/// What it costs a line inside that the model is before it: it seems to measure what it is drawn over. As much as running across something and being lost at once while the camera comes nearer. The second is
+/// for a line that is there already, less than staying is worth: fewer changes at the edge of sight, and a line that is seen through the model for a little longer.
+inline constexpr double kScoreBehindModel = -45.0 * kHandleSpacingPx;
+inline constexpr double kScoreStaysBehindModel = -10.0 * kHandleSpacingPx;
+/// What it costs a new place outside to measure such a base line: its extension lines come from behind the model, and it seems to measure what they come out from. More: lines go further for it.
+inline constexpr double kScoreFromBehindModel = -5.0 * kHandleSpacingPx;
 /// What it costs a line inside to measure a scope of which nothing is seen, and in proportion one that is hidden in part: the line is faint where the model is before it. More: in a row of windows the line
 /// goes from one to the next as they come into view.
 inline constexpr double kScoreHiddenScope = -10.0 * kHandleSpacingPx;

@@ -185,12 +185,14 @@ void GpuVisibility::land(Flight& flight, ScopeVisibility& visibility) {
   bytes_.resize(static_cast<std::size_t>(sums_.width) * static_cast<std::size_t>(sums_.height) * kIntegerPixelBytes);
   flight.readback.copy(0, bytes_);
   visibility.seenShare.clear();
+  visibility.seenEdges.clear();
   for (int i = 0; i < scopeCount_; ++i) {
     // Column by column, as visibility.frag counts them.
     const int pixel = i % rows_ * sums_.width + i / rows_;
-    std::array<std::uint32_t, 3> counts{};
+    std::array<std::uint32_t, 4> counts{};
     std::memcpy(counts.data(), bytes_.data() + static_cast<std::size_t>(pixel) * kIntegerPixelBytes, sizeof(counts));
     visibility.seenShare.push_back(seenShareOf({counts[0], counts[1], counts[2] != 0}, flight.viewportSamples));
+    visibility.seenEdges.emplace_back(counts[3]);
   }
   // What is older than this one is of no use any more.
   const std::uint64_t number = flight.number;

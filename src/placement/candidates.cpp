@@ -105,6 +105,15 @@ bool isFading(const CandidateContext& context, std::size_t scope) {
   return context.annotation.occlusion && !context.showAll && !context.sights[scope].plain();
 }
 
+/// Whether the model is before a base line of a single scope: before half of an edge, or the scope itself before a line that its faces hide.
+bool isBehindModel(const CandidateContext& context, const UsableBaseLine& base) {
+  if (turnedAway(base.line, context.view, 0.0)) return true;
+  const Annotation& annotation = context.annotation;
+  const int axis = axisOf(annotation.orient).axis;
+  const bool onEdge = annotation.type == HandleType::kLinearContour && axis >= 0 && annotation.translate == Vec3(0.0);
+  return onEdge && !context.sights[base.scope].edges().has(axis, base.line.number);
+}
+
 /// Scores the placed candidate and keeps it.
 void keep(const CandidateContext& context, const UsableBaseLine& base, Candidate& candidate, std::vector<Candidate>& candidates) {
   // Before a still camera it is the place itself that is looked for: the same identity may have others, on guides.
@@ -128,6 +137,7 @@ void keep(const CandidateContext& context, const UsableBaseLine& base, Candidate
     if (prospect.lastMoments || (prospect.brief && (context.history.wasInside() || (context.lasting && context.foresight.zooms())))) return;
     candidate.score += prospect.price;
     if (!chain && isFading(context, candidate.scope)) candidate.score += kScoreFadingScope;
+    if (!chain && isBehindModel(context, base)) candidate.score += kScoreFromBehindModel;
   }
   candidates.push_back(candidate);
 }
@@ -268,7 +278,7 @@ void gatherInsideCandidate(const CandidateContext& context, const UsableBaseLine
   const Vec2 middleScreen = context.view.inFrontOfNear(middle) ? context.view.toScreen(middle) : base.screen.middle();
   candidate.score = scoreInside(base.screen, middleScreen, context.annotation.align) + context.history.bonus(candidate.identity);
   candidate.score += prospect.price;
-  if (turnedAway(base.line, context.view, stays ? kBehindScopeSin : 0.0)) candidate.score += kScoreBehindScope;
+  if (isBehindModel(context, base)) candidate.score += stays ? kScoreStaysBehindModel : kScoreBehindModel;
   if (!stays && isFading(context, candidate.scope)) candidate.score += kScoreFadingScope;
   candidates.push_back(candidate);
 }

@@ -289,7 +289,9 @@ void Placer::State::findVisible(const View& view, const ScopeVisibility* visibil
     inView[i] = dimline::inView(view, scopes[i].box) ? 1 : 0;
     if (inView[i] == 0) sight = {};
     sight.age(framesOn);
-    seen[i] = inView[i] != 0 && sight.see(visibility != nullptr ? static_cast<double>(visibility->seenShare[i]) : 1.0) ? 1 : 0;
+    const double share = visibility != nullptr ? static_cast<double>(visibility->seenShare[i]) : 1.0;
+    const SeenEdges edges = visibility != nullptr && !visibility->seenEdges.empty() ? visibility->seenEdges[i] : SeenEdges::all();
+    seen[i] = inView[i] != 0 && sight.see(share, edges) ? 1 : 0;
     plain[i] = seen[i] != 0 && sight.plain() ? 1 : 0;
   }
 }

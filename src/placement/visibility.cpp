@@ -53,7 +53,8 @@ void Sight::age(int frames) {
   if (frames_ != 0) frames_ = std::clamp(frames_ + direction * frames, -kReturnFrames, kReturnFrames);
 }
 
-bool Sight::see(double share) {
+bool Sight::see(double share, SeenEdges edges) {
+  edges_ = edges;
   const bool shown = frames_ > 0;
   if (still_ && share == share_) return shown;
   if (still_) age(kReturnFrames);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "math/camera.h"
+#include "silhouette/scope_visibility.h"
 
 namespace dimline {
 
@@ -15,10 +16,12 @@ class Sight {
  public:
   /// To be told before a frame, of how many frames of a steady movement it has the weight; 0 for one whose view is the last one's.
   void age(int frames);
-  /// Takes the share of the scope that is seen in this frame, 0 to 1, and says whether it counts as seen.
-  bool see(double share);
+  /// Takes the share of the scope that is seen in this frame, 0 to 1, and which of its edges are; says whether it counts as seen.
+  bool see(double share, SeenEdges edges = SeenEdges::all());
   /// The share of it that was seen in the last frame.
   [[nodiscard]] double share() const { return share_; }
+  /// The edges that were seen in the last frame.
+  [[nodiscard]] SeenEdges edges() const { return edges_; }
   /// Whether enough of it was seen in the last frame, so that it may be shown anew; what only stays in sight may not.
   [[nodiscard]] bool plain() const { return framesTooLittle_ == 0; }
 
@@ -28,6 +31,7 @@ class Sight {
   int newFrames_ = 0;     ///< of how many this one has the weight
   int framesTooLittle_ = 0;   ///< on end, in which too little was seen
   double share_ = -1;     ///< of the last frame; negative before the first
+  SeenEdges edges_ = SeenEdges::all();   ///< of the last frame
 };
 
 }  // namespace dimline

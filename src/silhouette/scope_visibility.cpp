@@ -41,6 +41,35 @@ float seenShare(const Obb& box, const View& view, const DepthBuffer& depth, doub
   return seenShareOf({0, 0, ndc.z <= static_cast<double>(depth.at(x, y))}, samples);
 }
 
+/// Moving a point towards the viewer leaves it where it is on screen, and what lies between two corners lies between their clip coordinates, so only corners are moved and projected.
+SeenEdges seenEdges(const Obb& box, const View& view, const DepthBuffer& depth, double skinM) {
+  std::array<Vec4, 8> clip;
+  for (int i = 0; i < 8; ++i) {
+    const Vec3 corner = box.corner(i);
+    clip[static_cast<std::size_t>(i)] = view.viewProjection() * Vec4(corner - view.directionTo(corner) * skinM, 1.0);
+  }
+  std::uint32_t edges = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    for (int number = 0; number < 4; ++number) {
+      const int from = ((number & 1) << (axis + 1) % 3) + (number >> 1 << (axis + 2) % 3);
+      const Vec4& a = clip[static_cast<std::size_t>(from)];
+      const Vec4& b = clip[static_cast<std::size_t>(from + (1 << axis))];
+      int points = 0;
+      int seen = 0;
+      for (int i = 0; i < SeenEdges::kPointsPerEdge; ++i) {
+        const Vec4 p = a + (b - a) * ((i + 0.5) / SeenEdges::kPointsPerEdge);
+        const double x = (p.x / p.w * 0.5 + 0.5) * depth.width();
+        const double y = (0.5 - p.y / p.w * 0.5) * depth.height();
+        if (!(p.w > 0 && x >= 0 && x < depth.width() && y >= 0 && y < depth.height())) continue;   // nor a place that is no number
+        ++points;
+        seen += p.z <= static_cast<double>(depth.at(static_cast<int>(x), static_cast<int>(y))) * p.w ? 1 : 0;
+      }
+      if (2 * seen >= points) edges |= SeenEdges::bit(axis, number);
+    }
+  }
+  return SeenEdges(edges);
+}
+
 }  // namespace
 
 float seenShareOf(const ScopeSamples& samples, std::size_t viewportSamples) {
@@ -54,7 +83,11 @@ void CpuVisibility::measure(const Scene& scene, const View& view, ScopeVisibilit
   depth_.draw(scene);
   const double skinM = kScopeSkinShare * scene.bounds.diagonal();
   visibility.seenShare.clear();
-  for (const Scope& scope : scene.scopes) visibility.seenShare.push_back(seenShare(scope.box, view, depth_, skinM));
+  visibility.seenEdges.clear();
+  for (const Scope& scope : scene.scopes) {
+    visibility.seenShare.push_back(seenShare(scope.box, view, depth_, skinM));
+    visibility.seenEdges.push_back(seenEdges(scope.box, view, depth_, skinM));
+  }
 }
 
 }  // namespace dimline

@@ -296,7 +296,7 @@ TEST_CASE("undo and redo bring back where all lines lay, unless the model has be
   };
   // As many drags as it takes until lines have changed their places.
   std::vector<Layout> steps{before};
-  for (const Vec2 by : {Vec2(-60, -18), Vec2(-120, -40), Vec2(80, 25)}) {
+  for (const Vec2 by : {Vec2(-60, -18), Vec2(-120, -40), Vec2(160, 50)}) {
     const Vec2 at = stage.handle("Width");
     stage.drag(at, at + by);
     stage.settle();

@@ -69,3 +69,34 @@ TEST_CASE("showing measures, and putting them away, leaves every other line wher
   }
   CHECK(moved == 0);
 }
+
+TEST_CASE("the house's width and depth are measured along edges in view: when it is wide, and while the visitor comes nearer") {
+  const auto expectEdgesInView = [](const EditorStage& stage) {
+    const Vec3 eye = stage.editor.camera().eye;
+    for (const std::string_view name : {"Width", "Depth"}) {
+      const PlacedLine* line = stage.line(name);
+      INFO(name);
+      REQUIRE(line != nullptr);
+      // The visitor stands before the house and to the right of it, so of the walls' lower edges the front one and the right one are in view.
+      const Vec3 middle = line->base.middle();
+      CHECK((name == "Width" ? middle.z * eye.z : middle.x * eye.x) > 0);
+    }
+  };
+  EditorStage wide(defineHouse(), 1016, 800);
+  const std::pair<std::size_t, double> change{wide.indexOf("Width"), 18.0};
+  wide.editor.beginWith(std::span(&change, 1));
+  wide.settle();
+  REQUIRE(wide.value("Width") == 18);
+  expectEdgesInView(wide);
+
+  EditorStage stage(defineHouse(), 1016, 800);
+  std::size_t inside = 0;
+  for (int notch = 0; notch < 14; ++notch) {
+    stage.editor.wheel({500, 374}, -100, {});
+    stage.settle();
+    INFO("after " << notch + 1 << " notches");
+    expectEdgesInView(stage);
+    inside += stage.line("Width")->placement == PlacementKind::kInside ? 1 : 0;
+  }
+  CHECK(inside > 0);
+}

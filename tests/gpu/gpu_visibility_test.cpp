@@ -28,19 +28,29 @@ struct Fixture : test::GlTestContext {
     scene.upload(next);
     visibility.setScene(next);
   }
-  std::vector<float> measure(const View& view) {
+  ScopeVisibility measureAll(const View& view) {
     ScopeVisibility out;
     REQUIRE(visibility.request(scene, view) != 0);
     REQUIRE(visibility.finish(out));
     REQUIRE(glGetError() == GL_NO_ERROR);
-    return out.seenShare;
+    return out;
   }
+  std::vector<float> measure(const View& view) { return measureAll(view).seenShare; }
 };
 
-std::vector<float> measureOnCpu(const Scene& scene, const View& view) {
+ScopeVisibility measureOnCpu(const Scene& scene, const View& view) {
   ScopeVisibility out;
   CpuVisibility().measure(scene, view, out);
-  return out.seenShare;
+  return out;
+}
+
+/// How many of a box's edges one answer has seen and the other has not.
+std::size_t edgesApart(SeenEdges a, SeenEdges b) {
+  std::size_t apart = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    for (int number = 0; number < 4; ++number) apart += a.has(axis, number) != b.has(axis, number) ? 1 : 0;
+  }
+  return apart;
 }
 
 /// The village, and boxes of every size in, on, before and behind its houses, turned any way.
@@ -82,17 +92,22 @@ TEST_CASE("the GPU sees of each scope what the CPU sees, from everywhere") {
   Fixture fixture;
   const Scene scene = villageWithScopes(150);
   fixture.set(scene);
-  std::size_t compared = 0, apart = 0, decidedOtherwise = 0, seen = 0, hidden = 0;
+  std::size_t compared = 0, apart = 0, decidedOtherwise = 0, seen = 0, hidden = 0, edges = 0, edgesHidden = 0;
   double sum = 0;
   for (const Camera& camera : cameras(scene.bounds, 60)) {
     for (const auto& [width, height] : {std::pair{1000, 1000}, {1400, 700}, {300, 200}}) {
       const View view(camera, width, height, scene.bounds);
-      const std::vector<float> cpu = measureOnCpu(scene, view);
-      const std::vector<float> gpu = fixture.measure(view);
+      const ScopeVisibility onCpu = measureOnCpu(scene, view);
+      const ScopeVisibility onGpu = fixture.measureAll(view);
+      const std::vector<float>& cpu = onCpu.seenShare;
+      const std::vector<float>& gpu = onGpu.seenShare;
       REQUIRE(gpu.size() == cpu.size());
+      REQUIRE(onGpu.seenEdges.size() == cpu.size());
       for (std::size_t i = 0; i < cpu.size(); ++i) {
         const double difference = std::abs(static_cast<double>(gpu[i] - cpu[i]));
         ++compared;
+        edges += edgesApart(onCpu.seenEdges[i], onGpu.seenEdges[i]);
+        edgesHidden += edgesApart(onCpu.seenEdges[i], SeenEdges::all());
         sum += difference;
         apart += difference > 0.1 ? 1 : 0;
         // Shown by the one and not even kept by the other: only that would be seen.
@@ -103,9 +118,13 @@ TEST_CASE("the GPU sees of each scope what the CPU sees, from everywhere") {
     }
   }
   INFO(compared << " compared, " << apart << " apart by more than 0.1, " << decidedOtherwise << " decided otherwise, mean difference "
-                << sum / static_cast<double>(compared) << "; " << seen << " seen, " << hidden << " hidden");
+                << sum / static_cast<double>(compared) << "; " << seen << " seen, " << hidden << " hidden; " << edges << " edges apart, "
+                << edgesHidden << " hidden");
   CHECK(seen > compared / 10);
   CHECK(hidden > compared / 10);
+  CHECK(edgesHidden > 12 * compared / 10);
+  CHECK(edgesHidden < 9 * 12 * compared / 10);
+  CHECK(static_cast<double>(edges) < 0.001 * 12 * static_cast<double>(compared));
   CHECK(sum / static_cast<double>(compared) < 0.001);
   CHECK(static_cast<double>(apart) < 0.001 * static_cast<double>(compared));
   CHECK(static_cast<double>(decidedOtherwise) < 0.0005 * static_cast<double>(compared));
@@ -151,7 +170,7 @@ TEST_CASE("a viewer within a scope, and a scope that reaches behind the viewer")
   camera.eye = {0, 1, 0};
   camera.target = {0, 1, -10};
   const View view(camera, 800, 600, scene.bounds);
-  const std::vector<float> cpu = measureOnCpu(scene, view);
+  const std::vector<float> cpu = measureOnCpu(scene, view).seenShare;
   const std::vector<float> gpu = fixture.measure(view);
   CHECK(gpu[0] == cpu[0]);
   CHECK(gpu[1] == Approx(cpu[1]).margin(0.02));

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "placement/occupied.h"
+#include "placement/score.h"
 #include "support/scenes.h"
 
 using namespace dimline;
@@ -117,6 +118,57 @@ TEST_CASE("a line lies no further behind its base line than perspective still sh
   orthographic.orthoHeightM = 40;
   REQUIRE(depthAbove(200, orthographic).has_value());
   CHECK(*depthAbove(200, orthographic) > 10 * kMostDepthRatio);
+}
+
+TEST_CASE("an edge that the model hides comes after others, and less so for the line that is there") {
+  const View view(orbitCamera({0, 0, 0}, 20, 30, 20), 1000, 1000, Bounds{{-1, 0, -1}, {1, 2, 1}});
+  const Obb box = boxAt({-1, 0, -1}, {2, 2, 2});
+  Annotation annotation;
+  annotation.type = HandleType::kLinearContour;
+  annotation.orient = Orient::kRight;
+  annotation.slip = Slip::kNone;
+  // Of the box's edges along x the model hides the upper front one, its number is 3.
+  Sight sight;
+  sight.see(1.0, SeenEdges(~SeenEdges::bit(0, 3)));
+  Occupied occupied;
+  std::vector<SlipPlane> planes;
+  Foresight foresight;
+  const auto scoresOf = [&](const History& history, const Vec3& translate) {
+    annotation.translate = translate;
+    std::vector<Candidate> candidates;
+    for (const BaseLine& line : baseLines(annotation, box, view)) {
+      UsableBaseLine base;
+      base.scopeIndex = 0;
+      base.line = line;
+      base.screen = view.toScreen(line.segment);
+      gatherInsideCandidate({.annotation = annotation,
+                             .view = view,
+                             .padded = occupied.padded(),
+                             .paddedModel = occupied.paddedModel(),
+                             .guides = occupied.guides(),
+                             .objectPlanes = {},
+                             .history = history,
+                             .planes = planes,
+                             .foresight = foresight,
+                             .sights = {&sight, 1}},
+                            base, box, candidates);
+    }
+    std::vector<double> scores;
+    for (const Candidate& candidate : candidates) scores.push_back(candidate.score - scoreInside(candidate.baseScreen, view.toScreen(box.center()), annotation.align));
+    return scores;
+  };
+  const History none(0);
+  const std::vector<double> scores = scoresOf(none, {0, 0, 0});
+  REQUIRE(scores.size() == 4);
+  CHECK(scores[0] == Approx(kScoreBehindModel));   // below, at the back: its faces are turned away
+  CHECK(scores[1] == 0);
+  CHECK(scores[2] == 0);
+  CHECK(scores[3] == Approx(kScoreBehindModel));
+  // One that is moved off the edges is not judged by them.
+  CHECK(scoresOf(none, {0, 0, 0.1})[3] == 0);
+  History shown(0);
+  shown.choose({.parameter = 0, .scopeIndex = 0, .baseLine = 3}, -1);
+  CHECK(scoresOf(shown, {0, 0, 0})[3] == Approx(kScoreStay + kScoreStaysBehindModel));
 }
 
 TEST_CASE("a base line of a scope that is going out of sight comes after others, but the one that is shown stays as it is") {

@@ -146,7 +146,8 @@ TEST_CASE("inside the model, a line of a row lies where more of what it measures
   };
   for (const std::size_t plain : {1, 2}) {
     Stage stage(definition);
-    ScopeVisibility visibility{{1, 0.4F, 0.4F}};
+    ScopeVisibility visibility;
+    visibility.seenShare = {1, 0.4F, 0.4F};
     visibility.seenShare[plain] = 0.9F;
     stage.look(straightAt(0, kSeenM), 1000, 1000, &visibility);
     REQUIRE(stage.find("Width") != nullptr);

@@ -48,6 +48,51 @@ TEST_CASE("scopes before the model and in its faces are seen, scopes behind it a
   }
 }
 
+namespace {
+
+/// The edges of a scope by axis and number that are seen.
+std::vector<std::pair<int, int>> seenEdges(SeenEdges edges) {
+  std::vector<std::pair<int, int>> seen;
+  for (int axis = 0; axis < 3; ++axis) {
+    for (int number = 0; number < 4; ++number) {
+      if (edges.has(axis, number)) seen.emplace_back(axis, number);
+    }
+  }
+  return seen;
+}
+
+using Edges = std::vector<std::pair<int, int>>;
+
+}  // namespace
+
+TEST_CASE("of a scope's edges those are seen of which half is not behind the model") {
+  // A house 10 wide, 6 high and 8 deep. Its plinth is a scope one metre high; the ground before it is one, and a mast behind it.
+  Scene scene;
+  addBox(scene, boxAt({-5, 0, -4}, {10, 6, 8}));
+  scene.scopes.push_back({"Plinth", 0, boxAt({-5, 0, -4}, {10, 1, 8})});
+  scene.scopes.push_back({"Yard", 0, boxAt({-5, 0, 6}, {10, 0.5, 2})});
+  scene.scopes.push_back({"Mast", 0, boxAt({-0.5, 1, -5}, {1, 8, 0.5})});
+  finish(scene);
+  for (const bool orthographic : {false, true}) {
+    // From the front, above, and the right.
+    Camera camera;
+    camera.eye = {20, 15, 40};
+    camera.target = {0, 3, 0};
+    if (orthographic) camera.orthoHeightM = 20;
+    ScopeVisibility visibility;
+    CpuVisibility().measure(scene, View(camera, 1000, 1000, scene.bounds), visibility);
+    INFO((orthographic ? "orthographic" : "perspective"));
+    REQUIRE(visibility.seenEdges.size() == scene.scopes.size());
+    // Along x: number 1 on the far side along y, 2 along z; along y: 1 along z, 2 along x; along z: 1 along x, 2 along y. The walls stand on the plinth, so of its upper edges the
+    // two at the back are hidden, though its upper side looks to the viewer.
+    CHECK(seenEdges(visibility.seenEdges[0]) == Edges{{0, 2}, {0, 3}, {1, 1}, {1, 2}, {1, 3}, {2, 1}, {2, 3}});
+    // A scope hides nothing of itself.
+    CHECK(seenEdges(visibility.seenEdges[1]).size() == SeenEdges::kCount);
+    // Of the mast's edges the upper ones stand out above the roof, and of those along y less than half.
+    CHECK(seenEdges(visibility.seenEdges[2]) == Edges{{0, 1}, {0, 3}, {2, 2}, {2, 3}});
+  }
+}
+
 TEST_CASE("from the other side it is the other way round") {
   const Scene scene = wallWithScopes();
   Camera camera;
