@@ -1,10 +1,13 @@
 /** Numbers and words of a parameter as controls need them. What a visitor types is read by the core, not here. */
 
-/** How many decimals a parameter's values are shown with: as many as its step has, two when any value will do. */
+/**
+ * How many decimals a parameter's values are shown with: as many as its step has, two when any value will do. Lengths and numbers without a unit have two at least, as in
+ * the picture.
+ */
 export function decimalsOf(parameter) {
   if (parameter.type === "int") return 0;
   if (!parameter.step) return 2;
-  for (let decimals = 0; decimals < 6; ++decimals) {
+  for (let decimals = ["deg", "m2"].includes(parameter.unit) ? 0 : 2; decimals < 6; ++decimals) {
     const scaled = parameter.step * 10 ** decimals;
     if (Math.abs(scaled - Math.round(scaled)) < 1e-9 * scaled) return decimals;
   }

@@ -20,17 +20,22 @@ beforeEach(async () => {
   free = await freeSpot(); // lines need not be back where they were
 });
 
-/** A place in the picture, in the window's pixels, around which two fingers are far from every handle. */
+/** How far a point is from a box [x0, y0, x1, y1]. */
+const fromBox = ([x, y], [x0, y0, x1, y1]) => Math.hypot(Math.max(x0 - x, 0, x - x1), Math.max(y0 - y, 0, y - y1));
+
+/** A place in the picture, in the window's pixels, around which two fingers are far from every handle and on no number, switch or choice. */
 async function freeSpot() {
   const box = await pictureBox(page);
   const frame = await layoutOf(page);
   const handles = [...frame.lines, ...frame.others].flatMap((shown) => shown.handles.map((handle) => handle.screen));
+  const boxes = [...frame.lines.flatMap(({ label }) => (label ? [label.box] : [])), ...frame.others.map(({ box }) => box)];
   let best = null;
   for (let x = 60; x < box.width - 60; x += 20) {
     for (let y = 60; y < box.height - 60; y += 20) {
       const clearance = Math.min(...handles.map((handle) => distance(handle, [x, y])));
+      const onBox = boxes.some((box) => fromBox([x, y], box) < 45);
       const toMiddle = Math.hypot(x - box.width / 2, y - box.height / 2);
-      if (clearance > 75 && (!best || toMiddle < best.toMiddle)) best = { toMiddle, at: [box.x + x, box.y + y] };
+      if (clearance > 75 && !onBox && (!best || toMiddle < best.toMiddle)) best = { toMiddle, at: [box.x + x, box.y + y] };
     }
   }
   return best.at;

@@ -96,7 +96,7 @@ test("what was changed is still there after a reload, after another model, and b
   await ready(page);
   await settle(page);
   assert.deepEqual(await valuesOf(page), made);
-  assert.equal(await page.locator('[data-name="Width"] .number').inputValue(), "9.7");
+  assert.equal(await page.locator('[data-name="Width"] .number').inputValue(), "9.70");
   assert.equal(page.url(), link);
   assert.equal(await page.evaluate(() => document.querySelector("dimline-editor").canUndo), false, "it began so");
 

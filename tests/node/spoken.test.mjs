@@ -18,7 +18,7 @@ test("a step through the history is told by what it has changed, in the visitor'
 test("of many changes the first are named and the others counted; of none that is said", () => {
   const before = [pitch(1), width(1), floors(1), chimney(true), roof("gable")];
   const after = [pitch(2), width(2), floors(2), chimney(false), roof("hip")];
-  assert.equal(changeSentence("Undone", before, after, "."), "Undone: Roof pitch 2°, Width 2.0 m, Floors 2 and 2 more.");
+  assert.equal(changeSentence("Undone", before, after, "."), "Undone: Roof pitch 2°, Width 2.00 m, Floors 2 and 2 more.");
   assert.equal(changeSentence("Undone", before, before, "."), "Nothing to undo.");
   assert.equal(changeSentence("Redone", before, before, "."), "Nothing to redo.");
 });
