@@ -6,6 +6,8 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <span>
+#include <vector>
 
 #include "placement/occupied.h"
 #include "placement/score.h"
@@ -15,6 +17,27 @@ using namespace dimline;
 using namespace dimline::test;
 
 namespace {
+
+/// What candidates are made in: a model's fields, and nothing that has landed.
+struct Surroundings {
+  Occupied occupied;
+  std::vector<SlipPlane> planes;
+  Foresight foresight;
+
+  CandidateContext context(const Annotation& annotation, const View& view, const History& history, std::span<const Sight> sights, bool showAll = false) {
+    return {.annotation = annotation,
+            .view = view,
+            .padded = occupied.padded(),
+            .paddedModel = occupied.paddedModel(),
+            .guides = occupied.guides(),
+            .objectPlanes = {},
+            .history = history,
+            .planes = planes,
+            .foresight = foresight,
+            .showAll = showAll,
+            .sights = sights};
+  }
+};
 
 /// A line across the picture, some way out from its base line on a plane that leads away from the viewer: further out it is shorter on screen.
 Candidate leadingAway(const View& view) {
@@ -35,9 +58,9 @@ std::optional<double> depthAbove(int coveredFromPx, const Camera& camera) {
   std::ranges::fill(model[ViewportEdge::kBottom].edit(), 0.0F);
   for (const ViewportEdge edge : {ViewportEdge::kLeft, ViewportEdge::kRight}) std::ranges::fill(model[edge].edit().subspan(static_cast<std::size_t>(coveredFromPx)), 0.0F);
   model.buildTrees();
-  Occupied occupied;
-  occupied.begin(model);
-  occupied.clear();
+  Surroundings around;
+  around.occupied.begin(model);
+  around.occupied.clear();
   UsableBaseLine base;
   base.line.segment = {{-1, 0, 0}, {1, 0, 0}};
   base.line.scopePlanes.push_back({.across = {0, 0, -1}, .normal = {0, 1, 0}});
@@ -45,21 +68,9 @@ std::optional<double> depthAbove(int coveredFromPx, const Camera& camera) {
   Annotation annotation;
   annotation.slip = Slip::kScope;
   const History history(0);
-  std::vector<SlipPlane> planes;
-  Foresight foresight;
   const Sight sight;
   std::vector<Candidate> candidates;
-  gatherOutsideCandidates({.annotation = annotation,
-                           .view = view,
-                           .padded = occupied.padded(),
-                           .paddedModel = occupied.paddedModel(),
-                           .guides = occupied.guides(),
-                           .objectPlanes = {},
-                           .history = history,
-                           .planes = planes,
-                           .foresight = foresight,
-                           .sights = {&sight, 1}},
-                          base, candidates);
+  gatherOutsideCandidates(around.context(annotation, view, history, {&sight, 1}), base, candidates);
   REQUIRE(candidates.size() <= 1);
   return candidates.empty() ? std::nullopt : std::optional(view.depth(candidates.front().line.middle()));
 }
@@ -130,9 +141,7 @@ TEST_CASE("an edge that the model hides comes after others, and less so for the 
   // Of the box's edges along x the model hides the upper front one, its number is 3.
   Sight sight;
   sight.see(1.0, SeenEdges(~SeenEdges::bit(0, 3)));
-  Occupied occupied;
-  std::vector<SlipPlane> planes;
-  Foresight foresight;
+  Surroundings around;
   const auto scoresOf = [&](const History& history, const Vec3& translate) {
     annotation.translate = translate;
     std::vector<Candidate> candidates;
@@ -141,17 +150,7 @@ TEST_CASE("an edge that the model hides comes after others, and less so for the 
       base.scopeIndex = 0;
       base.line = line;
       base.screen = view.toScreen(line.segment);
-      gatherInsideCandidate({.annotation = annotation,
-                             .view = view,
-                             .padded = occupied.padded(),
-                             .paddedModel = occupied.paddedModel(),
-                             .guides = occupied.guides(),
-                             .objectPlanes = {},
-                             .history = history,
-                             .planes = planes,
-                             .foresight = foresight,
-                             .sights = {&sight, 1}},
-                            base, box, candidates);
+      gatherInsideCandidate(around.context(annotation, view, history, {&sight, 1}), base, box, candidates);
     }
     std::vector<double> scores;
     for (const Candidate& candidate : candidates) scores.push_back(candidate.score - scoreInside(candidate.baseScreen, view.toScreen(box.center()), annotation.align));
@@ -182,11 +181,9 @@ TEST_CASE("a base line of a scope that is going out of sight comes after others,
   sights[1].age(1);
   REQUIRE(sights[1].see(0.0));   // it still counts as seen
   REQUIRE_FALSE(sights[1].plain());
-  Occupied occupied;
+  Surroundings around;
   Annotation annotation;
   annotation.slip = Slip::kNone;
-  std::vector<SlipPlane> planes;
-  Foresight foresight;
   UsableBaseLine base;
   base.line.segment = {{-1, 0, 0}, {1, 0, 0}};
   base.screen = view.toScreen(base.line.segment);
@@ -194,18 +191,7 @@ TEST_CASE("a base line of a scope that is going out of sight comes after others,
     base.scope = scope;
     base.scopeIndex = static_cast<std::int32_t>(scope);
     std::vector<Candidate> candidates;
-    gatherInsideCandidate({.annotation = annotation,
-                           .view = view,
-                           .padded = occupied.padded(),
-                           .paddedModel = occupied.paddedModel(),
-                           .guides = occupied.guides(),
-                           .objectPlanes = {},
-                           .history = history,
-                           .planes = planes,
-                           .foresight = foresight,
-                           .showAll = showAll,
-                           .sights = sights},
-                          base, boxAt({-1, 0, -1}, {2, 0.1, 2}), candidates);
+    gatherInsideCandidate(around.context(annotation, view, history, sights, showAll), base, boxAt({-1, 0, -1}, {2, 0.1, 2}), candidates);
     REQUIRE(candidates.size() == 1);
     return candidates.front().score;
   };
