@@ -15,6 +15,7 @@ namespace {
 
 /// Texels a scope in the first pass, side by side, as visibility.frag has it: a large box is counted by that many fragments at a time.
 constexpr int kColumns = 16;
+static_assert(SeenEdges::kCount <= kColumns, "each edge has a texel of its own");
 /// Scopes over each other at most; more stand in further columns. No driver's textures are smaller.
 constexpr int kMostRows = 1024;
 /// Texels of the boxes' texture in a row, and those of one box.
@@ -84,7 +85,7 @@ void GpuVisibility::setScene(const Scene& scene) {
     glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, made.texture.id(), 0);
     return made;
   };
-  // Both are drawable in every OpenGL ES 3.0 and WebGL 2. A part has at most the depth buffer's samples in its columns, which fit into 16 bits.
+  // Both are drawable in every OpenGL ES 3.0 and WebGL 2. A part has at most the depth buffer's samples in its columns, which fit into 16 bits, as a box's edges do.
   counts_ = target(GL_RGBA16UI, columns * kColumns);
   sums_ = target(GL_RGBA32UI, columns);
   glBindFramebuffer(GL_FRAMEBUFFER, 0);

@@ -1,7 +1,7 @@
 #include "silhouette/scope_visibility.h"
 
 #include <algorithm>
-#include <cmath>
+#include <optional>
 
 #include "core/constants.h"
 
@@ -11,6 +11,15 @@ namespace {
 
 /// The six faces of a box by corner number (bit 0: x, bit 1: y, bit 2: z), outward.
 constexpr std::array<std::array<int, 4>, 6> kFaces{{{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}}};
+
+/// Whether what has these clip coordinates is not behind the model; nothing when it is out of view, or a place that is no number.
+std::optional<bool> isSeen(const Vec4& clip, const DepthBuffer& depth) {
+  const Vec3 ndc = Vec3(clip) / clip.w;
+  const double x = (ndc.x * 0.5 + 0.5) * depth.width();
+  const double y = (0.5 - ndc.y * 0.5) * depth.height();
+  if (!(clip.w > 0 && x >= 0 && x < depth.width() && y >= 0 && y < depth.height())) return std::nullopt;
+  return ndc.z <= static_cast<double>(depth.at(static_cast<int>(x), static_cast<int>(y)));
+}
 
 float seenShare(const Obb& box, const View& view, const DepthBuffer& depth, double skinM) {
   DepthBuffer::Seen total;
@@ -33,12 +42,7 @@ float seenShare(const Obb& box, const View& view, const DepthBuffer& depth, doub
   const Vec3 middle = box.center();
   if (!view.inFrontOfNear(middle)) return 0.0F;
   const Vec3 nearer = middle - view.directionTo(middle) * skinM;
-  const Vec4 clip = view.viewProjection() * Vec4(nearer, 1.0);
-  const Vec3 ndc = Vec3(clip) / clip.w;
-  if (!(std::abs(ndc.x) < 1 && std::abs(ndc.y) < 1)) return 0.0F;   // nor a place that is no number
-  const int x = static_cast<int>((ndc.x * 0.5 + 0.5) * depth.width());
-  const int y = static_cast<int>((0.5 - ndc.y * 0.5) * depth.height());
-  return seenShareOf({0, 0, ndc.z <= static_cast<double>(depth.at(x, y))}, samples);
+  return seenShareOf({0, 0, isSeen(view.viewProjection() * Vec4(nearer, 1.0), depth).value_or(false)}, samples);
 }
 
 /// Moving a point towards the viewer leaves it where it is on screen, and what lies between two corners lies between their clip coordinates, so only corners are moved and projected.
@@ -57,12 +61,9 @@ SeenEdges seenEdges(const Obb& box, const View& view, const DepthBuffer& depth, 
       int points = 0;
       int seen = 0;
       for (int i = 0; i < SeenEdges::kPointsPerEdge; ++i) {
-        const Vec4 p = a + (b - a) * ((i + 0.5) / SeenEdges::kPointsPerEdge);
-        const double x = (p.x / p.w * 0.5 + 0.5) * depth.width();
-        const double y = (0.5 - p.y / p.w * 0.5) * depth.height();
-        if (!(p.w > 0 && x >= 0 && x < depth.width() && y >= 0 && y < depth.height())) continue;   // nor a place that is no number
-        ++points;
-        seen += p.z <= static_cast<double>(depth.at(static_cast<int>(x), static_cast<int>(y))) * p.w ? 1 : 0;
+        const std::optional<bool> isPointSeen = isSeen(a + (b - a) * ((i + 0.5) / SeenEdges::kPointsPerEdge), depth);
+        points += isPointSeen.has_value() ? 1 : 0;
+        seen += isPointSeen.value_or(false) ? 1 : 0;
       }
       if (2 * seen >= points) edges |= SeenEdges::bit(axis, number);
     }

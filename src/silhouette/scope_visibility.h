@@ -15,14 +15,12 @@ class SeenEdges {
   static constexpr int kCount = 12;
   static constexpr int kPointsPerEdge = 8;
 
-  SeenEdges() = default;
   /// From what a producer packs: a bit for each edge.
   explicit SeenEdges(std::uint32_t bits) : bits_(bits) {}
 
   [[nodiscard]] static constexpr std::uint32_t bit(int axis, int number) { return 1U << (4 * axis + number); }
   [[nodiscard]] static SeenEdges all() { return SeenEdges((1U << kCount) - 1); }
   [[nodiscard]] bool has(int axis, int number) const { return (bits_ & bit(axis, number)) != 0; }
-  friend bool operator==(const SeenEdges&, const SeenEdges&) = default;
 
  private:
   std::uint32_t bits_ = 0;

@@ -122,9 +122,9 @@ TEST_CASE("the GPU sees of each scope what the CPU sees, from everywhere") {
                 << edgesHidden << " hidden");
   CHECK(seen > compared / 10);
   CHECK(hidden > compared / 10);
-  CHECK(edgesHidden > 12 * compared / 10);
-  CHECK(edgesHidden < 9 * 12 * compared / 10);
-  CHECK(static_cast<double>(edges) < 0.001 * 12 * static_cast<double>(compared));
+  CHECK(edgesHidden > SeenEdges::kCount * compared / 10);
+  CHECK(edgesHidden < 9 * SeenEdges::kCount * compared / 10);
+  CHECK(static_cast<double>(edges) < 0.001 * SeenEdges::kCount * static_cast<double>(compared));
   CHECK(sum / static_cast<double>(compared) < 0.001);
   CHECK(static_cast<double>(apart) < 0.001 * static_cast<double>(compared));
   CHECK(static_cast<double>(decidedOtherwise) < 0.0005 * static_cast<double>(compared));
