@@ -7,7 +7,7 @@ set(CMAKE_CXX_STANDARD_REQUIRED ON)
 set(CMAKE_CXX_EXTENSIONS OFF)
 set(CMAKE_ARCHIVE_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/lib")
 
-# For unity builds, which native presets ask for: what several files instantiate of the library's templates is compiled once
+# For unity builds, which the presets ask for: what several files instantiate of the library's templates is compiled once
 # for all of them, and that is half of the compile time. Many cores would still like to have several batches.
 set(CMAKE_UNITY_BUILD_BATCH_SIZE 8)
 

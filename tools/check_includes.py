@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Fails when a source includes what its folder must not, or when a source belongs to no target.
+"""Fails when a source includes what its folder must not or leaves out what it needs, or when it belongs to no target.
 
     python3 tools/check_includes.py [ROOT]
 
@@ -40,9 +40,54 @@ CONFINED = (
      "GL is seen only by src/gpu, src/render and src/app"),
 )
 
+# Headers of the standard library, and what each is included for. Precompiled headers and unity builds let a file pass that forgot one,
+# until another file is moved; so a file has to reach each of them by includes of its own or of our headers.
+STANDARD = {
+    "algorithm": "any_of clamp copy_if fill fill_n find find_if max max_element min min_element minmax none_of nth_element replace reverse "
+                 "rotate transform",
+    "array": "array",
+    "bit": "bit_cast bit_ceil",
+    "chrono": "chrono",
+    "cmath": "acos asin atan atan2 cbrt ceil cos exp2 expm1 floor fmod hypot isfinite isinf isnan ldexp log log10 lround pow round sin sqrt "
+             "tan trunc",
+    "cstdint": "int8_t int16_t int32_t int64_t uint8_t uint16_t uint32_t uint64_t",
+    "cstdio": "FILE fclose fopen fwrite snprintf",
+    "cstdlib": "strtod",
+    "cstring": "memcpy strerror",
+    "deque": "deque",
+    "filesystem": "filesystem",
+    "fstream": "ifstream",
+    "functional": "function",
+    "initializer_list": "initializer_list",
+    "iomanip": "setw",
+    "iostream": "cerr cout",
+    "limits": "numeric_limits",
+    "map": "map multimap",
+    "memory": "make_shared make_unique shared_ptr unique_ptr",
+    "numbers": "numbers",
+    "numeric": "iota partial_sum",
+    "optional": "nullopt optional",
+    "random": "minstd_rand mt19937",
+    "set": "set",
+    "span": "as_bytes span",
+    "sstream": "ostringstream",
+    "string": "string to_string",
+    "string_view": "string_view",
+    "system_error": "error_code",
+    "thread": "thread",
+    "tuple": "tie tuple",
+    "unordered_map": "unordered_map unordered_multimap",
+    "utility": "exchange forward move pair swap",
+    "variant": "get_if in_place_index monostate variant visit",
+    "vector": "vector",
+}
+HEADER_OF = {name: header for header, names in STANDARD.items() for name in names.split()}
+
 INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*([<"])([^>"\n]+)[>"]', re.MULTILINE)
+COMMENT = re.compile(r"//[^\n]*")
+STANDARD_NAME = re.compile(r"\bstd::(\w+)")
 MODULE_CALL = re.compile(r"\bdimline_module\(\s*(\w+)([^)]*)\)")
-KEYWORDS = ("OBJECT", "DEPS", "LIBS", "EXCLUDE", "APART")
+KEYWORDS = ("OBJECT", "DEPS", "LIBS", "EXCLUDE", "APART", "WASM", "WASM_O2", "WASM_Os", "WASM_Oz")
 
 
 def closure(folder: str) -> set:
@@ -140,9 +185,32 @@ def check_file(root: Path, path: Path, confined_count: dict) -> list:
     return problems
 
 
+def standard_headers(root: Path, name: str, seen: dict) -> set:
+    """The headers of the standard library that src/name reaches through includes of its own and of our headers. seen: what is known."""
+    if name not in seen:
+        seen[name] = set()  # stops a ring of includes
+        file = root / "src" / name
+        if file.is_file():
+            for match in INCLUDE.finditer(file.read_text(errors="replace")):
+                seen[name] |= standard_headers(root, match[2], seen) if match[1] == '"' else {match[2]}
+    return seen[name]
+
+
+def check_standard(root: Path, path: Path, seen: dict) -> list:
+    """The standard headers that one source needs and does not reach."""
+    text = COMMENT.sub("", (root / "src" / path).read_text(errors="replace"))
+    reached, problems = standard_headers(root, str(path), seen), {}
+    for match in STANDARD_NAME.finditer(text):
+        header = HEADER_OF.get(match[1])
+        if header and header not in reached and header not in problems:
+            line = text.count("\n", 0, match.start()) + 1
+            problems[header] = f"src/{path}:{line}: std::{match[1]} needs #include <{header}>"
+    return list(problems.values())
+
+
 def check(root: Path) -> list:
     """All problems of a checkout, as sentences that begin with file and line. Empty when it is sound."""
-    problems, confined_count = check_targets(root), {}
+    problems, confined_count, seen = check_targets(root), {}, {}
     for file in sorted((root / "src").rglob("*")):
         if not file.is_file() or file.name.startswith("."):
             continue
@@ -151,6 +219,7 @@ def check(root: Path) -> list:
         problems += misplaced
         if not misplaced and path.suffix in (".h", ".cpp"):
             problems += check_file(root, path, confined_count)
+            problems += check_standard(root, path, seen)
     return problems
 
 

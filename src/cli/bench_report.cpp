@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <initializer_list>
 #include <iomanip>
 #include <ostream>
 #include <string_view>

@@ -160,12 +160,12 @@ double withoutFloatNoise(double value) {
 struct AxisText {
   const char *name, *help, *orient;
 };
-constexpr AxisText kAxes[] = {{"Width", "Stretches the whole from left to right.", "right"},
+constexpr AxisText kAxisTexts[] = {{"Width", "Stretches the whole from left to right.", "right"},
                               {"Height", "Stretches the whole upwards.", "up"},
                               {"Depth", "Stretches the whole from back to front.", "front"}};
 
 Parameter stretchParameter(int axis, double sizeM) {
-  const AxisText& text = kAxes[axis];
+  const AxisText& text = kAxisTexts[axis];
   Parameter p;
   p.name = p.title = text.name;
   p.help = text.help;

@@ -6,6 +6,7 @@
 #include <array>
 #include <cassert>
 #include <cmath>
+#include <utility>
 
 #include "silhouette/distance_fields.h"
 #include "silhouette/float4.h"

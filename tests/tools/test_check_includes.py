@@ -126,6 +126,18 @@ class Checkout(unittest.TestCase):
         self.write("CMakeLists.txt", " ".join(names) + "\n# editing\n")
         self.assert_problem("src/editing is not added")
 
+    def test_standard_header_that_is_left_out(self):
+        self.write("src/math/plane.h", "#include <vector>\n\n// std::string here\nstd::vector<int> a; std::optional<int> b; std::optional<int> c;\n")
+        self.assert_problem("src/math/plane.h:4", "std::optional needs #include <optional>")
+
+    def test_standard_header_reached_through_our_own(self):
+        self.write("src/math/plane.h", '#include "math/obb.h"\nstd::string name;\n')
+        self.assertEqual(check_includes.check(self.root), [])
+
+    def test_standard_header_in_a_file_that_only_another_includes(self):
+        self.write("src/math/plane.cpp", "std::string name;\n")
+        self.assert_problem("std::string needs #include <string>")
+
 
 class Table(unittest.TestCase):
     def test_closure_reaches_down_to_core(self):
