@@ -43,8 +43,8 @@ CONFINED = (
 # Headers of the standard library, and what each is included for. Precompiled headers and unity builds let a file pass that forgot one,
 # until another file is moved; so a file has to reach each of them by includes of its own or of our headers.
 STANDARD = {
-    "algorithm": "any_of clamp copy_if fill fill_n find find_if max max_element min min_element minmax none_of nth_element replace reverse "
-                 "rotate transform",
+    "algorithm": "all_of any_of clamp copy_if count count_if equal fill fill_n find find_if for_each is_sorted lower_bound max max_element min "
+                 "min_element minmax none_of nth_element replace reverse rotate sort stable_sort transform",
     "array": "array",
     "bit": "bit_cast bit_ceil",
     "chrono": "chrono",
@@ -85,7 +85,7 @@ HEADER_OF = {name: header for header, names in STANDARD.items() for name in name
 
 INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*([<"])([^>"\n]+)[>"]', re.MULTILINE)
 COMMENT = re.compile(r"//[^\n]*")
-STANDARD_NAME = re.compile(r"\bstd::(\w+)")
+STANDARD_NAME = re.compile(r"\bstd::(?:ranges::)?(\w+)")
 MODULE_CALL = re.compile(r"\bdimline_module\(\s*(\w+)([^)]*)\)")
 KEYWORDS = ("OBJECT", "DEPS", "LIBS", "EXCLUDE", "APART", "WASM", "WASM_O2", "WASM_Os", "WASM_Oz")
 
@@ -204,7 +204,7 @@ def check_standard(root: Path, path: Path, seen: dict) -> list:
         header = HEADER_OF.get(match[1])
         if header and header not in reached and header not in problems:
             line = text.count("\n", 0, match.start()) + 1
-            problems[header] = f"src/{path}:{line}: std::{match[1]} needs #include <{header}>"
+            problems[header] = f"src/{path}:{line}: {match[0]} needs #include <{header}>"
     return list(problems.values())
 
 

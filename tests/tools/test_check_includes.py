@@ -130,6 +130,10 @@ class Checkout(unittest.TestCase):
         self.write("src/math/plane.h", "#include <vector>\n\n// std::string here\nstd::vector<int> a; std::optional<int> b; std::optional<int> c;\n")
         self.assert_problem("src/math/plane.h:4", "std::optional needs #include <optional>")
 
+    def test_standard_header_of_an_algorithm_over_a_range(self):
+        self.write("src/math/plane.cpp", "bool sorted = std::ranges::is_sorted(numbers);\n")
+        self.assert_problem("std::ranges::is_sorted needs #include <algorithm>")
+
     def test_standard_header_reached_through_our_own(self):
         self.write("src/math/plane.h", '#include "math/obb.h"\nstd::string name;\n')
         self.assertEqual(check_includes.check(self.root), [])
