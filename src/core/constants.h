@@ -102,7 +102,7 @@ inline constexpr double kScoreAlign = 3.0 * kHandleSpacingPx;            ///< la
 inline constexpr double kScoreDamp = 0.5 * kHandleSpacingPx;             ///< lambda 4
 inline constexpr double kScoreIntersect = -1.0 * kHandleSpacingPx;       ///< lambda 5
 /// Beyond the paper: principle 9 weighs more than a shorter way. What was left is not gone back to within kReturnFrames moved frames unless it is better by
-/// -kScoreReturn. Where all is placed anew, as after an edit, and for handles that are no lines, the last frame's choice stays until another is better by kScoreStay
+/// -kScoreReturn. Where all is placed anew, as after an edit, and for arcs and what is inside, the last frame's choice stays until another is better by kScoreStay
 /// more than Damp. Smaller: handles change sides more often on an orbit. Larger: they stay longer on a side that is no longer the nearest.
 inline constexpr double kScoreStay = 20 * kHandleSpacingPx;
 inline constexpr double kScoreReturn = -14.0 * kHandleSpacingPx;
@@ -167,7 +167,8 @@ inline constexpr int kLooksAheadTurning = 3;
 inline constexpr int kLooksAheadZooming = 6;
 inline constexpr double kSoonGoneZooming = 3.5;
 /// A line inside the model does not come out to a place that is lost before the view has turned by kForesightRad or zoomed by this; while the camera comes nearer one base line of a row comes before
-/// such a chain, and a switch or a choice that loses its place goes inside before it goes to such a one. Less: lines come out, and chains are begun, for a moment. More: lines stay inside though there is room, and rows have no chains.
+/// such a chain, a switch or a choice that loses its place goes inside before it goes to such a one, and so does a line whose new place would come from behind the model, when it has an edge in view.
+/// Less: lines come out, and chains are begun, for a moment. More: lines stay inside though there is room, and rows have no chains.
 inline constexpr double kBriefZoom = 0.7;
 /// Of kLooksAheadZooming looks: a place outside the model that is lost at one of so many is not begun; nor is a base line inside it of which nothing is left in the picture at one of so many, when it is
 /// all in the picture now, and when it is cut off. Fewer: while the camera comes nearer, lines hop from one place to another for a frame or two each, or are shown at the rim for their last moments. More:
@@ -210,6 +211,13 @@ inline constexpr double kScoreNestsWrongly = -8.0 * kHandleSpacingPx;
 /// Beyond the paper: an extension line through a label that has landed makes it hard to read, which a crossing of two thin lines does
 /// not; such a place is taken only when it is much nearer than any other.
 inline constexpr double kScoreCoversLabel = -6.0 * kHandleSpacingPx;
+/// What it costs a pill that its thread runs across a dimension line, an extension line, or a label; and what it is worth that it stays where it was, against its anchor. A thread is thin and ends in a dot, so over lines it
+/// costs less than a line would. More for lines: pills go further for it. More for staying, or less for labels: a pill is held where its thread runs across half the drawing; the other way round: it changes sides more often
+/// on an orbit.
+inline constexpr double kScoreThreadOverLine = -2.0 * kHandleSpacingPx;
+inline constexpr double kScoreThreadOverExtension = -0.5 * kHandleSpacingPx;
+inline constexpr double kScoreThreadOverLabel = -10.0 * kHandleSpacingPx;
+inline constexpr double kScorePillStays = 12.0 * kHandleSpacingPx;
 /// px of score by which a place must be better, but for labels in its way, than the one that is chosen, for those labels to be asked to give way. Less: they give way, or are left out, for
 /// nothing. More: lines go behind the model for the sake of a number that could stand elsewhere.
 inline constexpr double kWorthAskingPx = 3.0 * kHandleSpacingPx;

@@ -105,15 +105,6 @@ bool isFading(const CandidateContext& context, std::size_t scope) {
   return context.annotation.occlusion && !context.showAll && !context.sights[scope].plain();
 }
 
-/// Whether the model is before a base line of a single scope: before half of an edge, or the scope itself before a line that its faces hide.
-bool isBehindModel(const CandidateContext& context, const UsableBaseLine& base) {
-  if (turnedAway(base.line, context.view, 0.0)) return true;
-  const Annotation& annotation = context.annotation;
-  const int axis = axisOf(annotation.orient).axis;
-  const bool onEdge = annotation.type == HandleType::kLinearContour && axis >= 0 && annotation.translate == Vec3(0.0);
-  return onEdge && !context.sights[base.scope].edges().has(axis, base.line.number);
-}
-
 /// Scores the placed candidate and keeps it.
 void keep(const CandidateContext& context, const UsableBaseLine& base, Candidate& candidate, std::vector<Candidate>& candidates) {
   // Before a still camera it is the place itself that is looked for: the same identity may have others, on guides.
@@ -135,9 +126,11 @@ void keep(const CandidateContext& context, const UsableBaseLine& base, Candidate
                                     chain ? 0.0 : context.leastPx, chain ? Vec2(0.0) : context.textSize});
     // No place is begun for its last moments, and a line inside the model does not come out for a moment.
     if (prospect.lastMoments || (prospect.brief && (context.history.wasInside() || (context.lasting && context.foresight.zooms())))) return;
+    const bool behind = !chain && isBehindModel(context, base);
+    if (behind && prospect.brief && context.plainInside) return;
     candidate.score += prospect.price;
     if (!chain && isFading(context, candidate.scope)) candidate.score += kScoreFadingScope;
-    if (!chain && isBehindModel(context, base)) candidate.score += kScoreFromBehindModel;
+    if (behind) candidate.score += kScoreFromBehindModel;
   }
   candidates.push_back(candidate);
 }
@@ -172,6 +165,14 @@ void BaseLineTally::add(const BaseLineTally& other) {
 }
 
 double leastLengthPx(const Annotation& annotation) { return std::max(kMinLineLengthPx, annotation.minLengthPx); }
+
+bool isBehindModel(const CandidateContext& context, const UsableBaseLine& base) {
+  if (turnedAway(base.line, context.view, 0.0)) return true;
+  const Annotation& annotation = context.annotation;
+  const int axis = axisOf(annotation.orient).axis;
+  const bool onEdge = annotation.type == HandleType::kLinearContour && axis >= 0 && annotation.translate == Vec3(0.0);
+  return onEdge && !context.sights[base.scope].edges().has(axis, base.line.number);
+}
 
 void gatherBaseLines(const Annotation& annotation, const Scope& scope, std::size_t scopeNumber, const View& view, double factor,
                      std::vector<UsableBaseLine>& lines, BaseLineTally& tally) {

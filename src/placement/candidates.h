@@ -77,10 +77,14 @@ struct CandidateContext {
   bool showAll = false;                ///< a line that is shown for its last moments, or of a scope that nobody sees, is better than none
   std::span<const Sight> sights = {};  ///< one a scope: how much of it is seen
   Vec2 textSize{0.0};                  ///< px, of a line's label
+  bool plainInside = false;            ///< a base line in plain view can stand for itself, so no new place that comes from behind the model is taken for a moment only
 };
 
 /// The least length on screen at which a line of this annotation is shown.
 double leastLengthPx(const Annotation& annotation);
+
+/// Whether the model is before a base line of a single scope: before half of an edge, or the scope itself before a line that its faces hide.
+bool isBehindModel(const CandidateContext& context, const UsableBaseLine& base);
 
 /// Adds the base lines of one scope that can be used: in front of the near plane, seen in the viewport, and neither foreshortened nor too short, by thresholds that are
 /// `factor` times those of constants.h.

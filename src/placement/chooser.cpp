@@ -102,9 +102,13 @@ bool Chooser::chooseAgain(const Measured& measured, const CandidateContext& cand
 /// The best candidate on a guide or, when there is none, outside the silhouette.
 bool Chooser::chooseOutside(std::span<const UsableBaseLine> bases, const Measured& measured, const CandidateContext& candidates,
                             const ChoiceContext& context) {
+  CandidateContext among = candidates;
+  among.plainInside = context.foresight.nears() && std::ranges::any_of(bases, [&](const UsableBaseLine& base) {
+    return isWhole(base.screen, context.view) && !isBehindModel(candidates, base) && !context.occupied.landed().runsInto(base.screen);
+  });
   for (const auto gather : {gatherGuideCandidates, gatherOutsideCandidates}) {
     candidates_.clear();
-    for (const UsableBaseLine& base : bases) gather(candidates, base, candidates_);
+    for (const UsableBaseLine& base : bases) gather(among, base, candidates_);
     ranked_.clear();
     for (const Candidate& candidate : candidates_) ranked_.push_back({-candidate.score, static_cast<std::uint32_t>(ranked_.size())});
     sortKeys(ranked_);

@@ -20,6 +20,8 @@ class History {
   /// The choice of the last frame; only its `parameter` is set when there was none.
   [[nodiscard]] const Identity& last() const { return last_; }
   [[nodiscard]] bool any() const { return last_ != Identity{.parameter = last_.parameter}; }
+  /// How far from its base line, or its anchor, that lay on screen (px); nothing when the model has changed since.
+  [[nodiscard]] const std::optional<Segment2>& awayPx() const { return awayPx_; }
   /// Whether that was inside the model.
   [[nodiscard]] bool wasInside() const { return any() && last_.plane < 0; }
 

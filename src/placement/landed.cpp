@@ -81,7 +81,7 @@ void Landed::backTo(const Mark& mark) {
 void Landed::add(const PlacedHandle& handle, const View& view) {
   labels_.push_back(handle.box);
   if (!handle.arc) {
-    if (handle.placement != PlacementKind::kInside) extensions_.push_back({{handle.anchor, handle.box.center()}});
+    if (!handle.box.contains(handle.anchor)) extensions_.push_back({{handle.anchor, handle.box.center()}});
     return;
   }
   // Two chords and the arms come near enough to an arc for what keeps away from it.
@@ -106,7 +106,7 @@ Landed::Crossings Landed::crossings(const Segment2& base, const Segment2& foot, 
     found.extensions = found.extensions || (isLine ? overExtension : overLine);
     found.labels = found.labels || coversLabel(part);
   };
-  if (line.start != line.end) add(line, true);   // a pill's thread ends in a point
+  add(line, true);
   const auto parts = extensionParts(base, foot, line);
   for (auto part = parts.begin(); part != parts.end(); ++part) {
     if (part->start != part->end && (part == parts.begin() || !same(*part, part[-1]))) add(*part, false);
@@ -163,6 +163,12 @@ bool Landed::liesOnLine(const Segment2& segment) const {
 
 bool Landed::runsInto(const Segment2& segment) const {
   return liesOnLine(segment) || std::ranges::any_of(lines_, [&](const Line& l) { return segmentsCross(segment, l.segment, kCrossingPx); });
+}
+
+Landed::Across Landed::across(const Segment2& segment) const {
+  const auto crossed = [&](const auto& l) { return segmentsCross(segment, l.segment, kCrossingPx); };
+  return {static_cast<int>(std::ranges::count_if(lines_, crossed)), static_cast<int>(std::ranges::count_if(extensions_, crossed)),
+          static_cast<int>(std::ranges::count_if(labels_, [&](const Box2& label) { return meets(segment, label); }))};
 }
 
 bool Landed::coversLabel(const Segment2& segment) const {

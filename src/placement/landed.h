@@ -74,6 +74,13 @@ class Landed {
 
   /// Whether a segment crosses a line that has landed, or lies on one.
   [[nodiscard]] bool runsInto(const Segment2& segment) const;
+  /// How many of the lines, the extension lines and the labels that have landed a segment runs across.
+  struct Across {
+    int lines = 0;
+    int extensions = 0;
+    int labels = 0;
+  };
+  [[nodiscard]] Across across(const Segment2& segment) const;
   /// Whether a segment runs through a label that has landed.
   [[nodiscard]] bool coversLabel(const Segment2& segment) const;
   /// Whether a segment lies on a line that has landed, so that the two are drawn as one.

@@ -14,7 +14,8 @@ namespace dimline {
 /// What the other handles of one frame are placed against.
 struct OtherHandleContext {
   const View& view;
-  const DistanceFields& padded;   ///< model and landed things, with handleSpacing
+  const DistanceFields& paddedModel;   ///< the model alone, with handleSpacing
+  const DistanceFields& padded;        ///< model and landed things, with handleSpacing
   const Landed& landed;
   std::span<const Scope> scopes;
 };
@@ -30,6 +31,7 @@ struct OtherHandle {
   bool firm = false;         ///< no better kind of place is taken at once
   bool nearing = false;      ///< the camera comes nearer, so that places outside do not last
   bool showAll = false;      ///< one that is seen nearly edge-on is shown too
+  bool viewMoved = false;    ///< since the last frame
 };
 
 /// The identity of a handle at a scope. `way`: by what number its kind counts the ways in which it may be moved out; -1 when it was not.

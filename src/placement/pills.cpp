@@ -14,14 +14,20 @@ namespace dimline {
 
 namespace {
 
-/// In how many directions on screen a pill is moved out of the silhouette, and how far beyond the least shift it looks for room; and when it stays inside, in how many rings around its anchor, how far apart, and in how many directions. Fewer: it is
-/// hidden as crowded where a person would see a place. Further: it stands too far from what it belongs to.
-constexpr int kPillWays = 8;
+/// In how many directions on screen a pill is moved out of the silhouette, in what steps and how far from there it looks for room, and then how far beyond all that has landed; and when
+/// it stays inside, in how many rings around its anchor, how far apart, and in how many directions. Fewer: it is hidden as crowded where a person would see a place. Further: it stands too far from what
+/// it belongs to.
+constexpr int kPillWays = 24;
 constexpr double kPillStepPx = 8.0;
-constexpr int kPillSteps = 25;
+constexpr double kPillFurtherPx = 200.0;
 constexpr int kPillRings = 19;
 constexpr double kPillRingPx = 0.5 * kPillHeightPx;
 constexpr int kPillRingPlaces = 16;
+
+/// px. Shifts in search of room are whole numbers of this, so that before a still camera the place that was found is found again to the last bit.
+constexpr double kShiftUnitPx = 0.125;
+
+double wholeUnits(double shift) { return std::ceil(shift / kShiftUnitPx) * kShiftUnitPx; }
 
 /// px. How far a pill goes on at least where it looks for the least shift, towards the viewport's edge and along it. More: it may stand as much further out than it must.
 constexpr double kLeastShiftStepPx = 0.25;
@@ -32,6 +38,11 @@ Vec2 compass(int number, int steps = kPillWays) {
   const double rad = 2 * std::numbers::pi * number / steps;
   return {std::cos(rad), std::sin(rad)};
 }
+
+/// Directions are alike within one of eight: a pill that moves among those is still where it was, but for the distance.
+constexpr int kPillSides = 8;
+constexpr int kWaysOfSide = kPillWays / kPillSides;
+int sideOf(int way) { return (way + kWaysOfSide / 2) / kWaysOfSide % kPillSides; }
 
 /// The middle of a scope's face in the direction of `orient`.
 Vec3 anchorOf(const Annotation& annotation, const Obb& scope) {
@@ -98,29 +109,12 @@ Box2 shiftedInto(const Box2& box, const Box2& viewport) {
   return shifted(box, by);
 }
 
-/// The first place outside in a direction on screen, from the least shift on in steps, that all that has landed leaves free; nothing when there is none in the
-/// viewport.
-std::optional<Box2> roomTowards(const Box2& from, const Vec2& direction, const OtherHandleContext& context) {
-  double shift = leastShiftPx(context.padded, from, direction);
-  if (!std::isfinite(shift)) return std::nullopt;
-  for (int step = 0; step < kPillSteps; ++step, shift += kPillStepPx) {
-    const Box2 box = shifted(from, direction * shift);
-    if (!onScreen(box, context.view)) return std::nullopt;
-    if (clears(context.padded, box) && context.landed.hasRoom(box)) return box;
-  }
-  return std::nullopt;
-}
-
-/// The box, or the nearest place on rings around it, that is in the viewport and that all that has landed leaves free.
-std::optional<Box2> roomAround(const Box2& box, const OtherHandleContext& context) {
-  for (int ring = 0; ring < kPillRings; ++ring) {
-    for (int number = 0; number < (ring == 0 ? 1 : kPillRingPlaces); ++number) {
-      const Box2 place = shifted(box, compass(number, kPillRingPlaces) * (ring * kPillRingPx));
-      if (onScreen(place, context.view) && context.landed.hasRoom(place)) return place;
-    }
-  }
-  return std::nullopt;
-}
+/// A scope that a pill may stand at: its anchor on screen, and a box about that, in the viewport.
+struct PillAnchor {
+  std::size_t scope = 0;
+  Vec2 anchor{0.0};
+  Box2 box;
+};
 
 /// A place for a pill.
 struct PillPlace {
@@ -131,20 +125,101 @@ struct PillPlace {
   double score = 0;
 };
 
+/// By less a score is not better than another: what is as good but for rounding would change places before a still camera.
+constexpr double kBetter = 1e-6;
+
 void offer(const PillPlace& place, std::optional<PillPlace>& best) {
-  if (!best || place.score > best->score) best = place;
+  if (!best || place.score > best->score + kBetter) best = place;
+}
+
+/// What it costs that the thread from a pill to its anchor runs across what has landed.
+double scoreThread(const Vec2& anchor, const Box2& box, const Landed& landed) {
+  if (box.contains(anchor)) return 0.0;
+  const Landed::Across across = landed.across({anchor, box.center()});
+  return across.lines * kScoreThreadOverLine + across.extensions * kScoreThreadOverExtension + across.labels * kScoreThreadOverLabel;
+}
+
+/// Whether a place is where the pill was in the last frame, or near that.
+bool stays(const OtherHandle& handle, const PillPlace& place) {
+  const Vec2 awayPx = place.box.center() - place.anchor;
+  return handle.history.stays(place.identity, {awayPx, awayPx});
 }
 
 double scoreOutside(const OtherHandle& handle, const OtherHandleContext& context, const PillPlace& place) {
-  const Vec2 tip = place.box.center() - compass(place.identity.plane) * (0.5 * (place.box.max.y - place.box.min.y));
-  const Segment2 anchor{place.anchor, place.anchor};
-  const Landed::Crossings crossings = context.landed.crossings(anchor, anchor, {tip, tip});
-  return score({.base = anchor,
-                .candidate = {place.box.center(), place.box.center()},
-                .align = handle.annotation.align,
-                .sameAsLastFrame = place.identity == handle.history.last(),
-                .intersects = crossings.lines}) +
-         handle.history.bonus(place.identity) + (crossings.labels ? kScoreCoversLabel : 0.0);
+  const Vec2 middle = place.box.center();
+  const bool near = stays(handle, place);
+  const auto& last = handle.history.awayPx();
+  const double movedPx = near && last ? glm::length(middle - place.anchor - last->start) : 0.0;
+  const bool returns = handle.history.leftLately(place.identity);
+  return score({.base = {place.anchor, place.anchor}, .candidate = {middle, middle}, .align = handle.annotation.align, .sameAsLastFrame = near}) +
+         (near ? kScorePillStays + kScoreDistance * movedPx : returns ? kScoreReturn : 0.0) + scoreThread(place.anchor, place.box, context.landed);
+}
+
+/// Finds the places outside in one direction of a pill.
+class WayOut {
+ public:
+  /// Places that score less than `enough` need not be found.
+  WayOut(const OtherHandle& handle, const OtherHandleContext& context, const PillAnchor& at, int way, double enough)
+      : handle_(handle), context_(context), at_(at), direction_(compass(way)), place_{at.scope, at.anchor, {}, identityOf(handle, context.scopes[at.scope], sideOf(way))} {
+    const bool last = place_.identity == handle_.history.last();
+    mostPx_ = glm::length(at.box.center() - at.anchor) + kScoreAlign + (last ? kScorePillStays + kScoreDamp : 0.0) - enough;
+  }
+
+  /// Hands to `use` the place nearest to the model, between it and its lines where there is room; and in the last frame's direction the one where the pill was, or somewhat nearer.
+  template <typename Use>
+  void forEachPlace(Use use) {
+    const double least = leastShiftPx(context_.paddedModel, at_.box, direction_, mostPx_);
+    if (!std::isfinite(least)) return;
+    const double nearest = wholeUnits(least);
+    if (findRoom(nearest)) use(place_);
+    if (!handle_.history.awayPx() || place_.identity != handle_.history.last()) return;
+    const Vec2 last = at_.anchor + handle_.history.awayPx()->start - at_.box.center();
+    if (std::abs(direction_.x * last.y - direction_.y * last.x) > kShiftUnitPx) return;   // in another direction
+    const double lastShift = std::round(glm::dot(last, direction_) / kShiftUnitPx) * kShiftUnitPx;
+    const double shift = lastShift - (handle_.viewMoved ? kRelaxPx : 0.0);
+    if (shift > nearest && findRoomBelow(shift + kPillFurtherPx, shift)) use(place_);
+  }
+
+ private:
+  /// The first place from the nearest on that has room: near the model, or else beyond all that has landed.
+  bool findRoom(double nearest) {
+    if (findRoomBelow(nearest + kPillFurtherPx, nearest)) return true;
+    const double clearOfAll = wholeUnits(leastShiftPx(context_.padded, at_.box, direction_, mostPx_));
+    return findRoomBelow(clearOfAll + kPillFurtherPx, clearOfAll);
+  }
+  bool findRoomBelow(double most, double shift) {
+    for (; shift < std::min(most, mostPx_); shift += kPillStepPx) {
+      place_.box = shifted(at_.box, direction_ * shift);
+      if (!onScreen(place_.box, context_.view)) return false;
+      if (!clears(context_.paddedModel, place_.box) || !context_.landed.hasRoom(place_.box)) continue;
+      place_.score = scoreOutside(handle_, context_, place_);
+      return true;
+    }
+    return false;
+  }
+
+  const OtherHandle& handle_;
+  const OtherHandleContext& context_;
+  const PillAnchor& at_;
+  Vec2 direction_;
+  PillPlace place_;
+  double mostPx_ = 0;   ///< further out it scores less than is enough
+};
+
+/// The best place inside: at the anchor, or on rings around it, in the viewport and clear of all that has landed.
+void offerInside(const OtherHandle& handle, const OtherHandleContext& context, const PillAnchor& at, std::optional<PillPlace>& best) {
+  PillPlace place{at.scope, at.anchor, {}, identityOf(handle, context.scopes[at.scope], -1)};
+  const double mostPx = glm::length(at.box.center() - at.anchor) + (place.identity == handle.history.last() ? kScoreStay : 0.0);
+  for (int ring = 0; ring < kPillRings; ++ring) {
+    if (best && mostPx - ring * kPillRingPx < best->score) return;   // none from here on can be better
+    for (int number = 0; number < (ring == 0 ? 1 : kPillRingPlaces); ++number) {
+      place.box = shifted(at.box, compass(number, kPillRingPlaces) * (ring * kPillRingPx));
+      if (!onScreen(place.box, context.view) || !context.landed.hasRoom(place.box)) continue;
+      const Vec2 awayPx = place.box.center() - place.anchor;
+      place.score = handle.history.bonus(place.identity, {awayPx, awayPx}) - glm::length(awayPx) + scoreThread(place.anchor, place.box, context.landed);
+      offer(place, best);
+    }
+  }
 }
 
 /// Whether a box outside is still in the viewport when the picture has grown by kBriefZoom about its middle.
@@ -152,13 +227,15 @@ bool lastsNearing(const Box2& box, const View& view) {
   return onScreen(shifted(box, (box.center() - view.viewport().center()) * std::expm1(kBriefZoom)), view);
 }
 
-/// Whether a place outside is another than the last frame's, and would be lost soon because the camera comes nearer.
+/// Whether a place outside is another than where the pill was in the last frame, and would be lost soon because the camera comes nearer.
 bool isBrief(const OtherHandle& handle, const OtherHandleContext& context, const PillPlace& outside) {
-  return handle.firm && handle.nearing && handle.history.any() && outside.identity != handle.history.last() && !lastsNearing(outside.box, context.view);
+  return handle.firm && handle.nearing && handle.history.any() && !stays(handle, outside) && !lastsNearing(outside.box, context.view);
 }
 
-/// Whether a place outside is taken, or waited for, whatever there is inside.
-bool comesAnyway(const OtherHandle& handle, const PillPlace& outside) { return !handle.history.wasInside() && !handle.history.leftLately(outside.identity); }
+/// Whether a place outside is taken whatever there is inside.
+bool comesAnyway(const OtherHandle& handle, const PillPlace& outside) {
+  return !handle.history.wasInside() && !handle.history.hiddenForWantOfRoom() && !handle.history.leftLately(outside.identity);
+}
 
 /// A place outside beats any inside, as for lines, but for one that was left a moment ago. What had no room, or was inside, waits until a better kind of place has been there for
 /// some frames; and while the camera comes nearer, what is inside stays there.
@@ -191,15 +268,16 @@ void placeOptions(const OtherHandle& handle, const OtherHandleContext& context, 
 
 }  // namespace
 
-double leastShiftPx(const DistanceFields& fields, const Box2& box, const Vec2& direction) {
-  double least = std::numeric_limits<double>::infinity();
+double leastShiftPx(const DistanceFields& fields, const Box2& box, const Vec2& direction, double mostPx) {
+  constexpr double kNowhere = std::numeric_limits<double>::infinity();
+  double least = mostPx;
   // Where it moves towards an edge it soon clears that one's field, and need not look much further at the others.
   for (const bool nearing : {true, false}) {
     for (const ViewportEdge edge : kViewportEdges) {
       if ((towards(edge, direction) > kStandsStill) == nearing) least = std::min(least, leastShiftPx(fields, edge, box, direction, least));
     }
   }
-  return least;
+  return least < mostPx ? least : kNowhere;
 }
 
 Vec2 pillSizePx(const Parameter& parameter) {
@@ -218,30 +296,23 @@ std::optional<HiddenReason> placePill(const OtherHandle& handle, const OtherHand
       const Vec2 anchor = context.view.toScreen(world);
       if (!onScreen(Box2{anchor, anchor}, context.view)) continue;
       anchored = true;
-      use(scope, anchor, shiftedInto(Box2::around(anchor, size), context.view.viewport()));
+      use({scope, anchor, shiftedInto(Box2::around(anchor, size), context.view.viewport())});
     }
   };
   std::optional<PillPlace> outside;
   std::optional<PillPlace> brief;   // outside too, but worse than any inside
-  forEachAnchor([&](std::size_t scope, const Vec2& anchor, const Box2& atAnchor) {
+  forEachAnchor([&](const PillAnchor& at) {
     if (handle.annotation.slip == Slip::kNone) return;
-    for (int way = 0; way < kPillWays; ++way) {
-      const auto box = roomTowards(atAnchor, compass(way), context);
-      if (!box) continue;
-      PillPlace place{scope, anchor, *box, identityOf(handle, context.scopes[scope], way)};
-      place.score = scoreOutside(handle, context, place);
-      offer(place, isBrief(handle, context, place) ? brief : outside);
+    // From the last frame's direction on, so that the others need be looked at only where they may be better.
+    const int first = std::max<int>(handle.history.last().plane, 0) * kWaysOfSide;
+    for (int i = 0; i < kPillWays; ++i) {
+      const double enough = outside ? outside->score : -std::numeric_limits<double>::infinity();
+      WayOut wayOut(handle, context, at, (first + i) % kPillWays, enough);
+      wayOut.forEachPlace([&](const PillPlace& place) { offer(place, isBrief(handle, context, place) ? brief : outside); });
     }
   });
   std::optional<PillPlace> inside;
-  if (!outside || !comesAnyway(handle, *outside)) {
-    forEachAnchor([&](std::size_t scope, const Vec2& anchor, const Box2& atAnchor) {
-      const auto box = roomAround(atAnchor, context);
-      if (!box) return;
-      const Identity identity = identityOf(handle, context.scopes[scope], -1);
-      offer({scope, anchor, *box, identity, handle.history.bonus(identity) - glm::length(box->center() - anchor)}, inside);
-    });
-  }
+  if (!outside || !comesAnyway(handle, *outside)) forEachAnchor([&](const PillAnchor& at) { offerInside(handle, context, at, inside); });
   const auto place = choose(handle, inside, outside || inside ? outside : brief);
   if (!place) return anchored ? HiddenReason::kCrowded : HiddenReason::kOutOfView;
   placed.scope = place->scope;

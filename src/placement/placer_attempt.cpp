@@ -83,7 +83,7 @@ bool Placer::State::placeAll(const FrameToPlace& frame, std::size_t crowded, Lay
   // What is held stays where it is: shorter lines come before it, but must leave it room.
   for (const PlacedLine& line : held) occupied.reserve(line);
   for (const Measured& other : others) {
-    if (hasOnePlace(other)) placeOther(other, view, values.at(other.parameter), layout);
+    if (hasOnePlace(other)) placeOther(other, frame, layout);
   }
   outcome.begin(order.size());
   bool cramped = false;
@@ -120,7 +120,7 @@ bool Placer::State::placeAll(const FrameToPlace& frame, std::size_t crowded, Lay
       layout.hidden.push_back({other.parameter, other.scopes.empty() ? HiddenReason::kNoScope : HiddenReason::kCrowded});
       past.histories[other.parameter].choseNone(true);
     } else {
-      placeOther(other, view, values.at(other.parameter), layout);
+      placeOther(other, frame, layout);
     }
   }
   labelInside(frame, layout.lines);
@@ -138,7 +138,7 @@ void Placer::State::placeAllHidden(const FrameToPlace& frame, Layout& layout) {
   layout.hidden.clear();
   const auto placeOthers = [&](bool withOnePlace) {
     for (const Measured& other : others) {
-      if (hasOnePlace(other) == withOnePlace && isHidden(wanting, other.parameter)) placeOther(other, frame.view, frame.values.at(other.parameter), layout);
+      if (hasOnePlace(other) == withOnePlace && isHidden(wanting, other.parameter)) placeOther(other, frame, layout);
     }
   };
   placeOthers(true);
@@ -326,20 +326,22 @@ int Placer::State::guideThrough(const PlacedLine& line) {
   return guide >= 0 ? guide : occupied.addGuide(line.plane, line.line);
 }
 
-void Placer::State::placeOther(const Measured& measured, const View& view, double value, Layout& layout) {
+void Placer::State::placeOther(const Measured& measured, const FrameToPlace& frame, Layout& layout) {
   const std::span<const char> usable = usableScopes(measured);
   scopesInSight.clear();
   std::ranges::copy_if(measured.scopes, std::back_inserter(scopesInSight), [&](std::size_t scope) { return usable[scope] != 0; });
   History& history = past.histories[measured.parameter];
-  const OtherHandle handle{measured.parameter, parameters[measured.parameter], measured.annotation, scopesInSight, value, history, firm && !showAll, foresight.nears(), showAll};
-  const OtherHandleContext context{view, occupied.padded(), occupied.landed(), scopes};
+  const OtherHandle handle{measured.parameter, parameters[measured.parameter], measured.annotation, scopesInSight,
+                           frame.values.at(measured.parameter), history, firm && !showAll, foresight.nears(), showAll, frame.viewMoved};
+  const OtherHandleContext context{frame.view, occupied.paddedModel(), occupied.padded(), occupied.landed(), scopes};
   PlacedHandle& placed = append(layout.others, spareHandles, measured.parameter);
   placed.parameter = measured.parameter;
   const auto missing =
       measured.annotation.type == HandleType::kAngular ? placeArc(handle, context, placed) : placePill(handle, context, placed);
   if (!missing) {
-    history.choose(placed.identity, -1);
-    occupied.add(placed, view);
+    const Vec2 awayPx = placed.arc ? Vec2(0.0) : placed.box.center() - placed.anchor;
+    history.choose(placed.identity, -1, {awayPx, awayPx});
+    occupied.add(placed, frame.view);
     return;
   }
   spareHandles.push_back(std::move(placed));

@@ -129,7 +129,7 @@ struct Placer::State {
   void landChoice(const Measured& measured, double value, Layout& layout);
   void landHeld(Measured& measured, const PlacedLine& held, Layout& layout);
   int guideThrough(const PlacedLine& line);
-  void placeOther(const Measured& measured, const View& view, double value, Layout& layout);
+  void placeOther(const Measured& measured, const FrameToPlace& frame, Layout& layout);
 };
 
 }  // namespace dimline

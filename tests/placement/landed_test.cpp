@@ -2,6 +2,8 @@
 
 #include <catch2/catch.hpp>
 
+#include <array>
+
 using namespace dimline;
 
 namespace {
@@ -82,6 +84,20 @@ TEST_CASE("what was added after a mark is taken back") {
   landed.backTo(mark);
   CHECK_FALSE(landed.comesWithin(10, {{0, 255}, {400, 255}}));
   CHECK(landed.comesWithin(10, {{100, 45}, {200, 45}}));
+}
+
+TEST_CASE("a thread counts the lines, the extension lines and the labels that it runs across") {
+  Landed landed;
+  landed.add({{100, 100}, {200, 100}}, {{100, 100}, {200, 100}}, {{100, 40}, {200, 40}});   // extension lines at x = 100 and x = 200
+  landed.addLabel({{140, 10}, {160, 30}});
+  const auto across = [&](const Vec2& from, const Vec2& to) {
+    const Landed::Across found = landed.across({from, to});
+    return std::array{found.lines, found.extensions, found.labels};
+  };
+  CHECK(across({150, 90}, {150, 0}) == std::array{1, 0, 1});
+  CHECK(across({150, 90}, {150, 35}) == std::array{1, 0, 0});
+  CHECK(across({90, 70}, {210, 70}) == std::array{0, 2, 0});
+  CHECK(across({150, 90}, {150, 50}) == std::array{0, 0, 0});
 }
 
 TEST_CASE("a tangle counts the lines across extension lines, this one and those that have landed") {
