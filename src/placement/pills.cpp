@@ -150,9 +150,16 @@ double scoreOutside(const OtherHandle& handle, const OtherHandleContext& context
   const bool near = stays(handle, place);
   const auto& last = handle.history.awayPx();
   const double movedPx = near && last ? glm::length(middle - place.anchor - last->start) : 0.0;
-  const bool returns = handle.history.leftLately(place.identity);
+  double hysteresis = 0;
+  if (near) {
+    hysteresis = kScorePillStays + kScoreDistance * movedPx;
+  } else if (place.identity == handle.history.last()) {
+    hysteresis = kScorePillStaysOnSide;
+  } else if (handle.history.leftLately(place.identity)) {
+    hysteresis = kScoreReturn;
+  }
   return score({.base = {place.anchor, place.anchor}, .candidate = {middle, middle}, .align = handle.annotation.align, .sameAsLastFrame = near}) +
-         (near ? kScorePillStays + kScoreDistance * movedPx : returns ? kScoreReturn : 0.0) + scoreThread(place.anchor, place.box, context.landed);
+         hysteresis + scoreThread(place.anchor, place.box, context.landed);
 }
 
 /// Finds the places outside in one direction of a pill.
