@@ -88,7 +88,7 @@ export class PillLayer {
     const choice = pill.options.length > 0;
     const text = make("span");
     const sign = choice ? makeIcon("chevron", "m4 6.5 4 4 4-4") : make("span", { class: "track" });
-    const node = make("button", { class: "pill", type: "button", part: "pill", "data-control": true }, text, sign);
+    const node = make("button", { class: "pill", type: "button", part: "pill", "data-control": "tap" }, text, sign);
     if (pill.fading) node.inert = true;
     if (choice) {
       node.setAttribute("aria-haspopup", "listbox");

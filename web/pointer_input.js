@@ -15,6 +15,9 @@ const kindOf = ({ pointerType }) => (pointerType === "touch" || pointerType === 
 /** Whether an event is on a control over the picture, which handles it by itself. */
 const onControl = (event) => Boolean(event.target.closest?.("[data-control]"));
 
+/** Whether it is a finger's on one that takes nothing but taps: what else the finger does there, it does to the picture. */
+const onTapControl = (event) => event.pointerType === "touch" && Boolean(event.target.closest?.('[data-control="tap"]'));
+
 // A mouse wheel's notch is 100 px in one browser and three lines in another.
 const kWheelLinePx = 100 / 3;
 
@@ -28,6 +31,8 @@ export class PointerInput {
   #canvas;
   #host;
   #held = new Map(); // pointer id -> {target: "handle" | "camera" | "", kind, at: [x, y], x, y, ms, still}: what it holds, where it is, and where that began
+  #resting = new Map(); // pointer id -> the event with which a finger came down on a control that takes taps, and may yet be the picture's
+  #taken = new Set(); // ids of those that have become the picture's since a finger came down alone: they click nothing
   #tapped = null; // {x, y, ms, touch, target}: the press that has just ended, if it was a tap
   #before = null; // the tap before it
 
@@ -57,6 +62,7 @@ export class PointerInput {
     listen("pointercancel", (event) => this.#cancelPointer(event));
     listen("lostpointercapture", (event) => this.#cancelPointer(event));
     listen("pointerleave", (event) => this.#leave(event));
+    listen("click", (event) => this.#taken.has(event.pointerId) && event.stopPropagation(), { capture: true });
     listen("click", (event) => this.#click(event));
     listen("wheel", (event) => this.#wheel(event), { passive: false });
     listen("contextmenu", (event) => event.preventDefault()); // the secondary button pans
@@ -85,6 +91,7 @@ export class PointerInput {
       if (this.#stage.hasPointerCapture(id)) this.#stage.releasePointerCapture(id);
     }
     this.#held.clear();
+    this.#resting.clear();
     this.#tapped = this.#before = null;
     this.#showCursor("");
   }
@@ -114,8 +121,20 @@ export class PointerInput {
   }
 
   #down(event) {
+    // A first finger: whatever the last ones have left behind is over.
+    if (event.isPrimary) {
+      this.#taken.clear();
+      this.#resting.clear();
+    }
+    if (onTapControl(event)) this.#resting.set(event.pointerId, event);
     if (onControl(event)) return;
     if (event.button > 2) return; // the mouse's back and forward
+    // Two fingers pinch, wherever the first one came down.
+    if (event.pointerType === "touch") for (const id of [...this.#resting.keys()]) this.#take(id);
+    this.#press(event);
+  }
+
+  #press(event) {
     const target = this.#call("pointerDown", event);
     this.#tapped = null;
     const alone = this.#held.size === 0 && event.button === 0 && !event.ctrlKey && !event.metaKey;
@@ -129,7 +148,18 @@ export class PointerInput {
     if (target === "camera") this.#showCursor("camera-held");
   }
 
+  /** A finger that rests on a control begins what it would have begun on the picture. */
+  #take(id) {
+    const event = this.#resting.get(id);
+    this.#resting.delete(id);
+    this.#taken.add(id);
+    this.#press(event);
+    this.#held.get(id).still = false;
+  }
+
   #move(event) {
+    const resting = this.#resting.get(event.pointerId);
+    if (resting && Math.hypot(event.clientX - resting.clientX, event.clientY - resting.clientY) > kFingerTap.strayPx) this.#take(event.pointerId);
     const held = this.#held.get(event.pointerId);
     if (held) {
       this.#call("pointerMove", event);
@@ -156,6 +186,7 @@ export class PointerInput {
   }
 
   #up(event) {
+    this.#resting.delete(event.pointerId);
     const held = this.#held.get(event.pointerId);
     if (!held) return;
     this.#held.delete(event.pointerId);
@@ -184,6 +215,8 @@ export class PointerInput {
   }
 
   #cancelPointer(event) {
+    if (event.type === "pointercancel") this.#resting.delete(event.pointerId);
+    else if (this.#stage.hasPointerCapture(event.pointerId)) return; // it was a control's before
     if (!this.#held.delete(event.pointerId)) return;
     this.#host.guard(() => this.#host.core()?.cancelPointer(event.pointerId));
     this.#showCursor("");

@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { after, before, beforeEach, test } from "node:test";
 import { fingersOf } from "./support/handles.mjs";
-import { call, cameraOf, distance, launch, layoutOf, openPage, pictureBox, settle } from "./support/page.mjs";
+import { call, cameraOf, distance, launch, layoutOf, openPage, pictureBox, settle, valueOf } from "./support/page.mjs";
 
 let browser, tab, page, home, free;
 before(async () => {
@@ -138,6 +138,29 @@ test("two fingers side by side pan", async () => {
   const after = project(await layoutOf(page), home.target);
   near(after[0] - before[0], 50, 6, "pan in x");
   near(after[1] - before[1], 30, 6, "pan in y");
+});
+
+test("a finger that came down on a switch orbits when it goes on, two of which one did pinch, and only a tap switches it", async () => {
+  const middle = async () => {
+    const { x, y, width, height } = await page.locator('.pill[data-name="Balcony"]').boundingBox();
+    return [x + width / 2, y + height / 2];
+  };
+  const was = await valueOf(page, "Balcony");
+  const [x, y] = await middle();
+  await touchGesture([[x, y]], [[x + 80, y]]);
+  const turned = await cameraOf(page);
+  assert.ok(Math.abs(azimuthDeg(turned) - azimuthDeg(home)) > 5);
+  const at = await middle();
+  await touchGesture([at, [at[0] + 100, at[1]]], [at, [at[0] + 200, at[1]]]);
+  const zoom = range(turned) / range(await cameraOf(page));
+  assert.ok(zoom > 1.5 && zoom < 3, `the picture grew by ${zoom}`);
+  assert.equal(await valueOf(page, "Balcony"), was);
+  await call(page, "setCamera", home);
+  await settle(page);
+  await touchGesture([await middle()], [await middle()]);
+  assert.equal(await valueOf(page, "Balcony"), !was);
+  await call(page, "undo");
+  await settle(page);
 });
 
 /** Fingers go down at `from`, move to `to` in eight steps, and up. */
