@@ -211,9 +211,9 @@ inline constexpr double kScoreNestsWrongly = -8.0 * kHandleSpacingPx;
 /// Beyond the paper: an extension line through a label that has landed makes it hard to read, which a crossing of two thin lines does
 /// not; such a place is taken only when it is much nearer than any other.
 inline constexpr double kScoreCoversLabel = -6.0 * kHandleSpacingPx;
-/// What it costs a pill that its thread runs across a dimension line, an extension line, or a label; and what it is worth that it stays where it was, against its anchor, or on that side at least. A thread is thin and ends in a dot, so over lines it
-/// costs less than a line would. More for lines: pills go further for it. More for staying, or less for labels: a pill is held where its thread runs across half the drawing; the other way round: it changes sides more often
-/// on an orbit.
+/// What it costs a pill that its thread runs across a dimension line, an extension line, or a label; and what it is worth that it stays where it was, against its anchor, or on that side at least.
+/// A thread is thin and ends in a dot, so over lines it costs less than a line would. More for lines: pills go further for it. More for staying, or less for labels: a pill is held where its thread
+/// runs across half the drawing; the other way round: it changes sides more often on an orbit.
 inline constexpr double kScoreThreadOverLine = -2.0 * kHandleSpacingPx;
 inline constexpr double kScoreThreadOverExtension = -0.5 * kHandleSpacingPx;
 inline constexpr double kScoreThreadOverLabel = -10.0 * kHandleSpacingPx;

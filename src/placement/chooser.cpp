@@ -56,7 +56,11 @@ Chooser::Outside Chooser::chooseOutside(const Measured& measured, const Candidat
   const bool singleStays = chained && history.last().chain < 0 && history.last().plane >= 0 && history.framesHeld() < framesForSingle(context);
   const auto chooseSingle = [&] {
     if (chained) gatherBases(measured, context, thresholdFactor(measured, context), Enough::kAll);
-    return choose(bases_, candidates);
+    CandidateContext among = candidates;
+    among.plainInside = context.foresight.nears() && std::ranges::any_of(bases_, [&](const UsableBaseLine& base) {
+      return isWhole(base.screen, context.view) && !isBehindModel(candidates, base) && !context.occupied.landed().runsInto(base.screen);
+    });
+    return choose(bases_, among);
   };
   if (singleStays && chooseSingle()) return outside;
   // From near by the chains of a row leave the picture one soon after the other, so one of its base lines comes before a chain that would be gone at once.
@@ -102,13 +106,9 @@ bool Chooser::chooseAgain(const Measured& measured, const CandidateContext& cand
 /// The best candidate on a guide or, when there is none, outside the silhouette.
 bool Chooser::chooseOutside(std::span<const UsableBaseLine> bases, const Measured& measured, const CandidateContext& candidates,
                             const ChoiceContext& context) {
-  CandidateContext among = candidates;
-  among.plainInside = context.foresight.nears() && std::ranges::any_of(bases, [&](const UsableBaseLine& base) {
-    return isWhole(base.screen, context.view) && !isBehindModel(candidates, base) && !context.occupied.landed().runsInto(base.screen);
-  });
   for (const auto gather : {gatherGuideCandidates, gatherOutsideCandidates}) {
     candidates_.clear();
-    for (const UsableBaseLine& base : bases) gather(among, base, candidates_);
+    for (const UsableBaseLine& base : bases) gather(candidates, base, candidates_);
     ranked_.clear();
     for (const Candidate& candidate : candidates_) ranked_.push_back({-candidate.score, static_cast<std::uint32_t>(ranked_.size())});
     sortKeys(ranked_);

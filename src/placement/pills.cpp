@@ -24,14 +24,21 @@ constexpr int kPillRings = 19;
 constexpr double kPillRingPx = 0.5 * kPillHeightPx;
 constexpr int kPillRingPlaces = 16;
 
+/// Directions are alike within one of eight sides: a pill that moves among those is still where it was, but for the distance. More: it changes sides more often.
+constexpr int kPillSides = 8;
+constexpr int kWaysOfSide = kPillWays / kPillSides;
+
 /// px. Shifts in search of room are whole numbers of this, so that before a still camera the place that was found is found again to the last bit.
 constexpr double kShiftUnitPx = 0.125;
 
-double wholeUnits(double shift) { return std::ceil(shift / kShiftUnitPx) * kShiftUnitPx; }
+/// By less a score is not better than another: what is as good but for rounding would change places before a still camera.
+constexpr double kBetter = 1e-6;
 
 /// px. How far a pill goes on at least where it looks for the least shift, towards the viewport's edge and along it. More: it may stand as much further out than it must.
 constexpr double kLeastShiftStepPx = 0.25;
 constexpr double kSidewaysStepPx = 4.0;
+
+double wholeUnits(double shift) { return std::ceil(shift / kShiftUnitPx) * kShiftUnitPx; }
 
 /// A direction on screen: 0 is right, then clockwise in so many equal steps.
 Vec2 compass(int number, int steps = kPillWays) {
@@ -39,9 +46,6 @@ Vec2 compass(int number, int steps = kPillWays) {
   return {std::cos(rad), std::sin(rad)};
 }
 
-/// Directions are alike within one of eight: a pill that moves among those is still where it was, but for the distance.
-constexpr int kPillSides = 8;
-constexpr int kWaysOfSide = kPillWays / kPillSides;
 int sideOf(int way) { return (way + kWaysOfSide / 2) / kWaysOfSide % kPillSides; }
 
 /// The middle of a scope's face in the direction of `orient`.
@@ -124,9 +128,6 @@ struct PillPlace {
   Identity identity;
   double score = 0;
 };
-
-/// By less a score is not better than another: what is as good but for rounding would change places before a still camera.
-constexpr double kBetter = 1e-6;
 
 void offer(const PillPlace& place, std::optional<PillPlace>& best) {
   if (!best || place.score > best->score + kBetter) best = place;

@@ -124,7 +124,7 @@ TEST_CASE("an alignment moves a pill to the wanted side") {
   annotation.align = Align::kTopRight;
   PlacedHandle placed;
   REQUIRE_FALSE(placePill({0, parameter, annotation, stage.scopes, 1, stage.none}, stage.context(), placed));
-  CHECK(placed.box.center().x > 510);
+  CHECK(placed.box.center().x > 520);
   CHECK(placed.box.max.y <= 345.01);
 }
 
