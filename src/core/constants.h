@@ -217,7 +217,7 @@ inline constexpr double kScoreCoversLabel = -6.0 * kHandleSpacingPx;
 inline constexpr double kScoreThreadOverLine = -2.0 * kHandleSpacingPx;
 inline constexpr double kScoreThreadOverExtension = -0.5 * kHandleSpacingPx;
 inline constexpr double kScoreThreadOverLabel = -10.0 * kHandleSpacingPx;
-inline constexpr double kScorePillStays = 24.0 * kHandleSpacingPx;
+inline constexpr double kScorePillStays = 40.0 * kHandleSpacingPx;
 inline constexpr double kScorePillStaysOnSide = 2.0 * kHandleSpacingPx;
 /// px of score by which a place must be better, but for labels in its way, than the one that is chosen, for those labels to be asked to give way. Less: they give way, or are left out, for
 /// nothing. More: lines go behind the model for the sake of a number that could stand elsewhere.

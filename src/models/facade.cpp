@@ -9,7 +9,7 @@
 #include "models/vocabulary.h"
 
 // One street front with a grid of windows. All sit on sills of one height and are equally high; each is as wide as its own chance makes
-// it, so the width that is asked for is what they are all multiplied from, and no single one shows it.
+// it, so the width that is asked for is their average, and no single one shows it.
 
 namespace dimline {
 
@@ -21,14 +21,14 @@ constexpr int kStoreys = 4, kBays = 5;
 constexpr double kPlinth = 0.6, kStorey = 3.5, kBay = 3.2, kMargin = 0.7, kDepth = 6, kWall = 0.42, kReveal = 0.2, kSurround = 0.14;
 constexpr double kWidth = kBays * kBay + 2 * kMargin, kTop = kPlinth + kStoreys * kStorey;
 
-// Sound together: the highest sill and window leave 0.3 m in a storey, the widest window (1.7 m times 1.5) 0.65 m to the next.
+// Sound together: the highest sill and window leave 0.3 m in a storey, the widest window (1.7 m times 1.53) 0.6 m to one as wide.
 std::vector<Parameter> parameters() {
   std::vector<Parameter> p(kParameterCount);
   p[kSillHeight] = lengthParameter("SillHeight", "Windowsill height", {0.9, 0.3, 1.2, 0.05},
       {"Windows", "How high the windows begin above the floor of their storey.",
        "@Handle(scope=Sill, type=linear-contour, orient=up, slip=scope, align=right, chained)"});
-  p[kWindowWidth] = lengthParameter("WindowWidth", "Window width", {1.3, 0.8, 1.7, 0.05},
-      {"Windows", "How wide the windows are on the whole; each one is this times a random number of its own.",
+  p[kWindowWidth] = lengthParameter("WindowWidth", "Average window width", {1.3, 0.8, 1.7, 0.05},
+      {"Windows", "How wide the windows are on average; each one is this times a random number of its own.",
        "@Handle(scope=Window, type=linear-contour, orient=right, slip=scope, align=top, chained, indirect)"});
   p[kWindowHeight] = lengthParameter("WindowHeight", "Window height", {1.7, 1.0, 2.0, 0.05},
       {"Windows", "How high every window is.",
@@ -36,12 +36,26 @@ std::vector<Parameter> parameters() {
   return p;
 }
 
-/// 0.6 to 1.5, always the same for the same window.
-double widthFactor(int storey, int bay) {
-  std::uint32_t h = static_cast<std::uint32_t>(storey * kBays + bay + 11) * 2654435761U;
-  h = (h ^ (h >> 15)) * 2246822519U;
-  h ^= h >> 13;
-  return 0.6 + 0.9 * static_cast<double>(h % 1000) / 999;
+using Grid = std::array<std::array<double, kBays>, kStoreys>;
+
+/// By what each window's width is multiplied: always the same for the same window, 0.6 to 1.5 before all are brought to an average of 1.
+Grid widthFactors() {
+  Grid factors;
+  double sum = 0;
+  std::uint32_t seed = 11;
+  for (auto& storey : factors) {
+    for (double& factor : storey) {
+      std::uint32_t h = seed++ * 2654435761U;
+      h = (h ^ (h >> 15)) * 2246822519U;
+      h ^= h >> 13;
+      factor = 0.6 + 0.9 * static_cast<double>(h % 1000) / 999;
+      sum += factor;
+    }
+  }
+  for (auto& storey : factors) {
+    for (double& factor : storey) factor *= kStoreys * kBays / sum;
+  }
+  return factors;
 }
 
 struct Palette {
@@ -131,13 +145,14 @@ void drawRailing(Builder& b, const Palette& m, double sill) {
 
 void drawFront(Builder& b, const Palette& m, const Values& values) {
   const double sill = values.at(kSillHeight), height = values.at(kWindowHeight);
+  const Grid factors = widthFactors();
   for (int s = 0; s < kStoreys; ++s) {
     b.push([&] {
       b.translate({0, kPlinth + s * kStorey, 0});
       b.scale({kWidth, kStorey, 0});
       Polygon wall{rectangleRing({0, 0}, {kWidth, kStorey}), {}};
       for (int i = 0; i < kBays; ++i) {
-        const double width = values.at(kWindowWidth) * widthFactor(s, i), x = kMargin + (i + 0.5) * kBay - 0.5 * width;
+        const double width = values.at(kWindowWidth) * factors[static_cast<std::size_t>(s)][static_cast<std::size_t>(i)], x = kMargin + (i + 0.5) * kBay - 0.5 * width;
         wall.holes.push_back(rectangleRing({x, sill}, {x + width, sill + height}));
         nameBox(b, "Window", {x, sill, -kReveal}, {x + width, sill + height, 0});
         nameBox(b, "Sill", {x, 0, -kReveal}, {x + width, sill, 0});

@@ -50,9 +50,9 @@ Scene buildOmniTree(const Values& values) {
 
 ModelDefinition defineOmniTree() {
   std::array<tree::TreeDefaults, 3> sets;
-  sets[0] = {"A", "Set A", tree::Kind::kOak, 2.2, 0.55, 5.0, 5.6};
-  sets[1] = {"B", "Set B", tree::Kind::kSpruce, 1.6, 0.4, 7.6, 4.4};
-  sets[2] = {"C", "Set C", tree::Kind::kBirch, 2.8, 0.35, 5.8, 4.2};
+  sets[0] = {"A", "Tree A", tree::Kind::kOak, 2.2, 0.55, 5.0, 5.6};
+  sets[1] = {"B", "Tree B", tree::Kind::kSpruce, 1.6, 0.4, 7.6, 4.4};
+  sets[2] = {"C", "Tree C", tree::Kind::kBirch, 2.8, 0.35, 5.8, 4.2};
   ModelDefinition definition{"omni-tree", "Omni tree", {}, buildOmniTree};
   for (const tree::TreeDefaults& d : sets) {
     for (Parameter& p : tree::treeParameters(d)) definition.parameters.push_back(std::move(p));

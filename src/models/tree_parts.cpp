@@ -239,7 +239,7 @@ std::vector<Parameter> treeParameters(const TreeDefaults& d) {
        handle("Tree", "type=boolean, orient=up")});
   p[kKind] = choiceParameter("Kind" + d.suffix, title("Kind"), static_cast<int>(d.kind), {"oak", "birch", "spruce", "palm"},
       {group("Tree"), "What kind of tree it is: this decides how it branches and what its leaves are like.",
-       handle("Foliage", "type=range, orient=right")});
+       handle("Foliage", "type=range, orient=up, translate={0, -0.5, 0}")});
   p[kStemHeight] = lengthParameter("StemHeight" + d.suffix, title("Stem height"), {d.stemHeight, 1.5, 6, 0.1},
       {group("Stem"), "How high the stem is clear of branches, from the ground to the crown.",
        handle("Stem", "type=linear-contour, orient=up, align=right, slip=" + slip)});

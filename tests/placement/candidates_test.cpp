@@ -204,3 +204,52 @@ TEST_CASE("a base line of a scope that is going out of sight comes after others,
   annotation.occlusion = false;   // lines on what nobody sees are wanted
   CHECK(scoreOf(1, none) == scoreOf(0, none));
 }
+
+TEST_CASE("while the camera comes nearer, no line is begun for a moment that comes from behind the model where an edge in view stands for itself") {
+  const Bounds bounds{{-2, 0, -1}, {2, 3, 1}};
+  Camera camera;
+  camera.eye = {0, 1.5, 30};
+  camera.target = {0, 1.5, 0};
+  camera.orthoHeightM = 10;
+  const View before(camera, 1000, 1000, bounds);
+  camera.orthoHeightM = 9;
+  const View view(camera, 1000, 1000, bounds);
+  Surroundings around;
+  around.foresight.begin(before, view, bounds, {}, 1e-3);
+  REQUIRE(around.foresight.nears());
+  UsableBaseLine base;
+  base.scopeIndex = 0;
+  base.line.segment = {{0.5, 1, 0}, {0.5, 2, 0}};
+  base.line.scopePlanes.push_back({.across = {1, 0, 0}, .normal = {0, 0, 1}});
+  base.screen = view.toScreen(base.line.segment);
+  Annotation annotation;
+  annotation.slip = Slip::kScope;
+  Sight inView, hidden;
+  inView.see(1.0);
+  hidden.see(1.0, SeenEdges(~SeenEdges::bit(1, base.line.number)));
+  // How many places it has to the right of a model that covers the columns up to there.
+  const auto placesBeside = [&](int coveredToPx, const Sight& sight, bool plainInside, const History& history) {
+    DistanceFields model;
+    model.reset(1000, 1000);
+    std::ranges::fill(model[ViewportEdge::kLeft].edit(), 0.0F);
+    std::ranges::fill(model[ViewportEdge::kRight].edit(), static_cast<float>(1000 - coveredToPx));
+    for (const ViewportEdge edge : {ViewportEdge::kTop, ViewportEdge::kBottom}) std::ranges::fill(model[edge].edit().first(static_cast<std::size_t>(coveredToPx)), 0.0F);
+    model.buildTrees();
+    around.occupied.begin(model);
+    around.occupied.clear();
+    CandidateContext context = around.context(annotation, view, history, {&sight, 1});
+    context.plainInside = plainInside;
+    std::vector<Candidate> candidates;
+    gatherOutsideCandidates(context, base, candidates);
+    return candidates.size();
+  };
+  // 30 px beside column 814 are 3.1 m to the right of the middle, which leave the picture before it has doubled; beside column 740 they are 2.4 m.
+  const History none(0);
+  CHECK(placesBeside(814, hidden, true, none) == 0);
+  CHECK(placesBeside(814, hidden, false, none) == 1);
+  CHECK(placesBeside(814, inView, true, none) == 1);
+  CHECK(placesBeside(740, hidden, true, none) == 1);
+  History there(0);
+  there.choose({.parameter = 0, .scopeIndex = 0, .baseLine = 0, .plane = 0, .direction = 1}, 2.6);
+  CHECK(placesBeside(814, hidden, true, there) >= 1);
+}
