@@ -49,8 +49,11 @@ public:
     file_.asset.generator = "Dimline " + std::string(kVersion);
     file_.buffers.emplace_back();
     if (Status status = writeImages(); !status) return status.error();
-    for (const Material& material : scene_.materials) file_.materials.push_back(written(material));
-    for (const Mesh& mesh : scene_.meshes) writeMesh(mesh);
+    materials_.assign(scene_.materials.size(), -1);
+    meshes_.assign(scene_.meshes.size(), -1);
+    for (const Instance& instance : scene_.instances) {
+      if (meshes_[instance.mesh] < 0) meshes_[instance.mesh] = writeMesh(scene_.meshes[instance.mesh]);
+    }
     writeNodes(title);
     // Lengths in a .glb have 32 bits, those of its JSON included.
     if (bytes().size() > std::numeric_limits<std::uint32_t>::max() / 2) return Error{"the model is too large for a .glb file, which ends at 4 GB."};
@@ -100,6 +103,15 @@ private:
       file_.textures.push_back(std::move(texture));
     }
     return okStatus();
+  }
+
+  /// A material's number in the file, which holds those that are used.
+  int numberOf(std::size_t material) {
+    if (materials_[material] < 0) {
+      materials_[material] = static_cast<int>(file_.materials.size());
+      file_.materials.push_back(written(scene_.materials[material]));
+    }
+    return materials_[material];
   }
 
   static tinygltf::Material written(const Material& material) {
@@ -153,8 +165,8 @@ private:
     return appendAccessor(indices, TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT, TINYGLTF_TYPE_SCALAR, TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER);
   }
 
-  /// Of a mesh without triangles there is nothing to write: glTF wants a primitive at least.
-  void writeMesh(const Mesh& mesh) {
+  /// The mesh's number in the file. Of a mesh without triangles there is nothing to write, since glTF wants a primitive at least: -1.
+  int writeMesh(const Mesh& mesh) {
     tinygltf::Mesh written;
     const std::vector<Part> parts = partsOf(mesh);
     for (std::size_t material = 0; material < parts.size(); ++material) {
@@ -162,7 +174,7 @@ private:
       if (part.indices.empty()) continue;
       tinygltf::Primitive primitive;
       primitive.mode = TINYGLTF_MODE_TRIANGLES;
-      primitive.material = static_cast<int>(material);
+      primitive.material = numberOf(material);
       primitive.attributes["POSITION"] = appendPositions(part);
       std::vector<glm::vec3> normals;
       for (const Vertex& vertex : part.vertices) normals.push_back(vertex.normal);
@@ -175,8 +187,9 @@ private:
       primitive.indices = appendIndices(part);
       written.primitives.push_back(std::move(primitive));
     }
-    meshes_.push_back(written.primitives.empty() ? -1 : static_cast<int>(file_.meshes.size()));
-    if (!written.primitives.empty()) file_.meshes.push_back(std::move(written));
+    if (written.primitives.empty()) return -1;
+    file_.meshes.push_back(std::move(written));
+    return static_cast<int>(file_.meshes.size()) - 1;
   }
 
   void writeNodes(std::string_view title) {
@@ -202,7 +215,8 @@ private:
 
   const Scene& scene_;
   tinygltf::Model file_;
-  std::vector<int> meshes_;  ///< of each mesh of the scene: its number in the file, or -1
+  std::vector<int> materials_;  ///< of each material of the scene: its number in the file, or -1
+  std::vector<int> meshes_;     ///< of each mesh, likewise
 };
 
 }  // namespace

@@ -180,6 +180,17 @@ TEST_CASE("a mesh without triangles is left out, and a scene without any is an e
   CHECK(nothing.error().message == "the model has no triangles, so there is nothing to write.");
 }
 
+TEST_CASE("a mesh that stands nowhere, and a material that no triangle has, are left out") {
+  Mesh red = square(1);
+  red.materials = {1, 1};
+  const json file = jsonOf(written(sceneOf({square(), red}, {{1}})));
+  REQUIRE(file["meshes"].size() == 1);
+  REQUIRE(file["materials"].size() == 1);
+  CHECK(file["meshes"][0]["primitives"].size() == 1);
+  CHECK(file["meshes"][0]["primitives"][0]["material"] == 0);
+  CHECK(file["materials"][0]["pbrMetallicRoughness"]["baseColorFactor"] == json{1.0, 0.0, 0.0, 1.0});
+}
+
 TEST_CASE("the same scene gives the same bytes") {
   const Scene scene = sceneOf({square(1)}, {{0}});
   CHECK(written(scene) == written(scene));
