@@ -80,7 +80,7 @@ std::optional<std::size_t> LineAnimator::findBefore(const PlacedLine& line, std:
   return std::nullopt;
 }
 
-/// Finds each placed line among those of the last frame. What is left of those fades.
+/// Finds each placed line among those of the last frame, unless it has gone far. What is left of those fades.
 void LineAnimator::match(const Layout& placed, std::span<const Scope> scopes, double nowMs, bool animate,
                          Layout& drawn, std::span<const PlacedLine> held) {
   next_.assign(placed.lines.size(), {});
@@ -92,6 +92,7 @@ void LineAnimator::match(const Layout& placed, std::span<const Scope> scopes, do
       if (next_[i].identity.parameter >= 0) continue;
       const auto found = findBefore(placed.lines[i], scopes[placed.lines[i].scope].index, hint, exactly);
       if (!found) continue;
+      if (!exactly && glm::length(placed.lines[i].lineScreen.middle() - drawn.lines[*found].lineScreen.middle()) > kFarPx) continue;
       next_[i] = tracked_[*found];
       taken_[*found] = true;
       hint = *found + 1;

@@ -13,7 +13,7 @@ namespace dimline {
 ///
 /// Animated is the difference to the place, in the world: a line that keeps its place sticks to it exactly however fast
 /// the camera moves, and one that got a new place, or whose label did, glides there within kGlideMs, whatever happens on
-/// the way. Lines come and go by opacity.
+/// the way. Lines come and go by opacity, and so does one whose new place is far away.
 class LineAnimator {
 public:
   /// Without motion lines are where they are placed, at once.

@@ -15,6 +15,10 @@ inline constexpr double kFadeMs = 140.0;
 /// Below, it is the usual drift of what keeps its distance while the camera turns.
 inline constexpr double kJumpPx = 24.0;
 
+/// px. A line whose new choice lies further away than this does not glide: it fades where it was and appears where it is. Less: lines vanish that could be followed. More: while the model is turned, lines
+/// fly across it.
+inline constexpr double kFarPx = 240.0;
+
 /// Fast at first: most of the way is done while the eye still turns to it.
 inline double easeOut(double t) {
   const double left = 1.0 - std::clamp(t, 0.0, 1.0);

@@ -1,6 +1,7 @@
 #include <catch2/catch.hpp>
 
 #include "app/line_animator.h"
+#include "app/motion.h"
 #include "editing/line_projection.h"
 #include "support/scenes.h"
 
@@ -205,6 +206,33 @@ TEST_CASE("lines come and go by opacity, and one that goes is no part of the lay
   stage.at(700);
   REQUIRE(stage.animator.fading().empty());
   REQUIRE(stage.animator.atRest());
+}
+
+TEST_CASE("a line whose new choice is far away fades here and appears there, and glides when it stays the same one") {
+  const View view = frontView();
+  const double nearM = 0.99 * kFarPx / 100 - 1, farM = 1.01 * kFarPx / 100 - 1;
+  Stage stage(view, {placedLine(-1, -1, view)});
+  stage.at(0);
+  stage.place(view, {placedLine(farM, 1, view)});
+  REQUIRE(same(stage.at(16).lines[0], stage.placed.lines[0]));
+  REQUIRE(stage.animator.opacities()[0] == 0);
+  REQUIRE(stage.animator.fading().size() == 1);
+  REQUIRE(stage.animator.fading()[0].placed.line.start.y == -1);
+  stage.at(86);
+  REQUIRE(stage.animator.opacities()[0] == Approx(0.5));
+  REQUIRE(stage.animator.fading()[0].opacity == Approx(0.5));
+  REQUIRE(same(stage.at(400).lines[0], stage.placed.lines[0]));
+  REQUIRE(stage.animator.atRest());
+
+  Stage stays(view, {placedLine(-1, -1, view)});
+  stays.at(0);
+  stays.place(view, {placedLine(farM, -1, view)});
+  REQUIRE(stays.at(16).lines[0].line.start.y == Approx(-1));
+  Stage near(view, {placedLine(-1, -1, view)});
+  near.at(0);
+  near.place(view, {placedLine(nearM, 1, view)});
+  REQUIRE(near.at(16).lines[0].line.start.y == Approx(-1));
+  REQUIRE(near.animator.fading().empty());
 }
 
 TEST_CASE("what the present view cannot show is left out") {
