@@ -237,6 +237,7 @@ std::vector<Parameter> treeParameters(const TreeDefaults& d) {
   p[kRealistic] = switchParameter("Realistic" + d.suffix, title("Realistic"), true,
       {group("Tree"), "A grown tree with bark and leaves, or the stack of discs that stands for one on an architect's model.",
        handle("Tree", "type=boolean, orient=up")});
+  // At the crown's middle: a side of its box is in the air beside a spruce, and behind the crown from elsewhere.
   p[kKind] = choiceParameter("Kind" + d.suffix, title("Kind"), static_cast<int>(d.kind), {"oak", "birch", "spruce", "palm"},
       {group("Tree"), "What kind of tree it is: this decides how it branches and what its leaves are like.",
        handle("Foliage", "type=range, orient=up, translate={0, -0.5, 0}")});
