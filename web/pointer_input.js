@@ -70,6 +70,8 @@ export class PointerInput {
     listen("dragstart", (event) => event.preventDefault());
     listen("gesturestart", (event) => event.preventDefault()); // Safari's pinch would zoom the page
     window.addEventListener("keydown", (event) => this.#escape(event), { signal, capture: true });
+    // Two clicks on a number are no double one when a value was typed and accepted in between.
+    window.addEventListener("keydown", () => (this.#before = null), { signal, capture: true });
     for (const type of ["keydown", "keyup"]) {
       window.addEventListener(type, (event) => this.#modifierKey(event), { signal, capture: true });
     }
