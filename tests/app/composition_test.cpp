@@ -6,6 +6,7 @@
 
 #include "app/editor_stage.h"
 #include "models/models.h"
+#include "support/fields.h"
 
 using namespace dimline;
 using namespace dimline::test;
@@ -14,18 +15,7 @@ namespace {
 
 /// A silhouette that fills that box of a viewport of 200 x 100 px.
 DistanceFields fieldsOf(const Box2& box) {
-  DistanceFields fields;
-  fields.reset(200, 100);
-  for (auto row = static_cast<std::size_t>(box.min.y); row < static_cast<std::size_t>(box.max.y); ++row) {
-    fields[ViewportEdge::kLeft].edit()[row] = static_cast<float>(box.min.x);
-    fields[ViewportEdge::kRight].edit()[row] = static_cast<float>(200 - box.max.x);
-  }
-  for (auto column = static_cast<std::size_t>(box.min.x); column < static_cast<std::size_t>(box.max.x); ++column) {
-    fields[ViewportEdge::kTop].edit()[column] = static_cast<float>(box.min.y);
-    fields[ViewportEdge::kBottom].edit()[column] = static_cast<float>(100 - box.max.y);
-  }
-  fields.buildTrees();
-  return fields;
+  return fieldsCovering(box, 200, 100);
 }
 
 /// From the front; 10 m high, or under 90 degrees from 5 m, which is the same in the plane z = 0.

@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "app/editor_stage.h"
+#include "support/fields.h"
 
 using namespace dimline;
 using namespace dimline::test;
@@ -17,18 +18,7 @@ Layout emptyLayout() {
 
 /// A viewport of 200 x 100 with nothing in it but a block of the model from (100, 40) to (140, 80).
 DistanceFields blockFields() {
-  DistanceFields fields;
-  fields.reset(200, 100);
-  for (std::size_t row = 40; row < 80; ++row) {
-    fields[ViewportEdge::kLeft].edit()[row] = 100;
-    fields[ViewportEdge::kRight].edit()[row] = 60;
-  }
-  for (std::size_t column = 100; column < 140; ++column) {
-    fields[ViewportEdge::kTop].edit()[column] = 40;
-    fields[ViewportEdge::kBottom].edit()[column] = 20;
-  }
-  fields.buildTrees();
-  return fields;
+  return fieldsCovering({{100, 40}, {140, 80}}, 200, 100);
 }
 
 }  // namespace

@@ -2,7 +2,6 @@
 
 #include <catch2/catch.hpp>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
@@ -11,6 +10,7 @@
 
 #include "placement/occupied.h"
 #include "placement/score.h"
+#include "support/fields.h"
 #include "support/scenes.h"
 
 using namespace dimline;
@@ -52,12 +52,7 @@ Candidate leadingAway(const View& view) {
 /// How far from the viewer the line lies on the plane that leads away from a base line 10 m off, when the model covers the picture from a row downwards; nothing when it has no place there.
 std::optional<double> depthAbove(int coveredFromPx, const Camera& camera) {
   const View view(camera, 1000, 1000, Bounds{{-1, 0, -100}, {1, 0, 1}});
-  DistanceFields model;
-  model.reset(1000, 1000);
-  std::ranges::fill(model[ViewportEdge::kTop].edit(), static_cast<float>(coveredFromPx));
-  std::ranges::fill(model[ViewportEdge::kBottom].edit(), 0.0F);
-  for (const ViewportEdge edge : {ViewportEdge::kLeft, ViewportEdge::kRight}) std::ranges::fill(model[edge].edit().subspan(static_cast<std::size_t>(coveredFromPx)), 0.0F);
-  model.buildTrees();
+  const DistanceFields model = fieldsCovering({{0, coveredFromPx}, {1000, 1000}});
   Surroundings around;
   around.occupied.begin(model);
   around.occupied.clear();
@@ -207,13 +202,8 @@ TEST_CASE("a base line of a scope that is going out of sight comes after others,
 
 TEST_CASE("while the camera comes nearer, no line is begun for a moment that comes from behind the model where an edge in view stands for itself") {
   const Bounds bounds{{-2, 0, -1}, {2, 3, 1}};
-  Camera camera;
-  camera.eye = {0, 1.5, 30};
-  camera.target = {0, 1.5, 0};
-  camera.orthoHeightM = 10;
-  const View before(camera, 1000, 1000, bounds);
-  camera.orthoHeightM = 9;
-  const View view(camera, 1000, 1000, bounds);
+  const View before(straightAt(1.5, 10), 1000, 1000, bounds);
+  const View view(straightAt(1.5, 9), 1000, 1000, bounds);
   Surroundings around;
   around.foresight.begin(before, view, bounds, {}, 1e-3);
   REQUIRE(around.foresight.nears());
@@ -229,12 +219,7 @@ TEST_CASE("while the camera comes nearer, no line is begun for a moment that com
   hidden.see(1.0, SeenEdges(~SeenEdges::bit(1, base.line.number)));
   // How many places it has to the right of a model that covers the columns up to there.
   const auto placesBeside = [&](int coveredToPx, const Sight& sight, bool plainInside, const History& history) {
-    DistanceFields model;
-    model.reset(1000, 1000);
-    std::ranges::fill(model[ViewportEdge::kLeft].edit(), 0.0F);
-    std::ranges::fill(model[ViewportEdge::kRight].edit(), static_cast<float>(1000 - coveredToPx));
-    for (const ViewportEdge edge : {ViewportEdge::kTop, ViewportEdge::kBottom}) std::ranges::fill(model[edge].edit().first(static_cast<std::size_t>(coveredToPx)), 0.0F);
-    model.buildTrees();
+    const DistanceFields model = fieldsCovering({{0, 0}, {coveredToPx, 1000}});
     around.occupied.begin(model);
     around.occupied.clear();
     CandidateContext context = around.context(annotation, view, history, {&sight, 1});

@@ -2,6 +2,7 @@
 
 #include "placement/label_memory.h"
 #include "placement/labels.h"
+#include "support/fields.h"
 
 using namespace dimline;
 
@@ -216,16 +217,8 @@ TEST_CASE("a label keeps clear of its chain's other lines and their labels, and 
 }
 
 TEST_CASE("a label clears the model") {
-  DistanceFields model;
-  model.reset(1000, 1000);
   // The model's left side runs down at x = 220 beside a vertical line at x = 200: text riding on the line would touch it.
-  for (float& value : model[ViewportEdge::kLeft].edit()) value = 220;
-  for (std::size_t i = 220; i < 1000; ++i) {
-    model[ViewportEdge::kTop].edit()[i] = 0;
-    model[ViewportEdge::kBottom].edit()[i] = 0;
-  }
-  for (float& value : model[ViewportEdge::kRight].edit()) value = 0;
-  model.buildTrees();
+  const DistanceFields model = test::fieldsCovering({{220, 0}, {1000, 1000}});
   const auto box = labelBox({.line = {{200, 300}, {200, 700}}, .textSize = kText, .outward = {-20, 0}, .model = &model},
                               Landed{}, kViewport);
   REQUIRE(box);

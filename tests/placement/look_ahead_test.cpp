@@ -2,6 +2,7 @@
 
 #include "placement/labels.h"
 #include "placement/look_ahead.h"
+#include "support/fields.h"
 
 using namespace dimline;
 
@@ -25,17 +26,12 @@ Segment2 screen(double x0, double y0, double x1, double y1) { return {{x0, y0}, 
 /// Parameters 0 and 1, placed in that order; the model covers x and y from 400 to 600.
 struct TwoLines {
   std::vector<Measured> order = std::vector<Measured>(2);
-  DistanceFields model;
+  DistanceFields model = test::fieldsCovering({{400, 400}, {600, 600}});
   LookAhead lookAhead;
 
   TwoLines() {
     order[0].parameter = 0;
     order[1].parameter = 1;
-    model.reset(1000, 1000);
-    for (const ViewportEdge edge : kViewportEdges) {
-      for (std::size_t i = 400; i < 600; ++i) model[edge].edit()[i] = 400;
-    }
-    model.buildTrees();
   }
   /// As seen from these edges the model reaches on from 400 to 300.
   void widen(std::initializer_list<ViewportEdge> edges) {
