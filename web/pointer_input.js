@@ -70,8 +70,7 @@ export class PointerInput {
     listen("dragstart", (event) => event.preventDefault());
     listen("gesturestart", (event) => event.preventDefault()); // Safari's pinch would zoom the page
     window.addEventListener("keydown", (event) => this.#escape(event), { signal, capture: true });
-    // Two clicks on a number are no double one when a value was typed and accepted in between.
-    window.addEventListener("keydown", () => (this.#before = null), { signal, capture: true });
+    window.addEventListener("keydown", (event) => this.#typed(event), { signal, capture: true });
     for (const type of ["keydown", "keyup"]) {
       window.addEventListener(type, (event) => this.#modifierKey(event), { signal, capture: true });
     }
@@ -243,6 +242,11 @@ export class PointerInput {
     event.preventDefault();
     event.stopPropagation();
     this.#cancelGesture();
+  }
+
+  // Two clicks on a number are no double one when a value was typed and accepted in between. A key that is held down types nothing.
+  #typed(event) {
+    if (!event.repeat) this.#before = null;
   }
 
   // Shift and Alt change how a drag snaps, at once and not only with the pointer's next movement.
