@@ -16,6 +16,9 @@ constexpr double kMaxSizePx = 16384.0;
 constexpr double kMinPixelRatio = 0.1;
 constexpr double kMaxPixelRatio = 8.0;
 
+/// Events that wait to be taken. Hosts take them once a frame, in which there are a few.
+constexpr std::size_t kMostEvents = 256;
+
 /// Unit direction from the target to the eye.
 Vec3 directionOf(StandardView view) {
   switch (view) {
@@ -155,9 +158,9 @@ bool Editor::canUndo() const {
 bool Editor::canRedo() const { return state_->history.canRedo(); }
 
 void Editor::State::notify(EditorEvent event) {
-  // A host that asks once a frame wants to know that something moved, not how often.
+  // A host that asks once a frame wants to know that something moved, not how often; one that never asks must not let the list grow.
   const bool repeats = event == EditorEvent::kInput || event == EditorEvent::kCameraChange;
-  if (repeats && !events.empty() && events.back() == event) return;
+  if (events.size() == kMostEvents || (repeats && std::ranges::find(events, event) != events.end())) return;
   events.push_back(event);
 }
 
@@ -210,13 +213,17 @@ void Editor::resize(double widthPx, double heightPx, double devicePixelRatio) {
   heightPx = std::clamp(heightPx, 0.0, kMaxSizePx);
   devicePixelRatio = std::clamp(devicePixelRatio, kMinPixelRatio, kMaxPixelRatio);
   if (widthPx == s.widthPx && heightPx == s.heightPx && devicePixelRatio == s.devicePixelRatio) return;
+  if (s.handleGesture) {
+    s.followPointers();
+    s.handleGesture->regrips = true;
+  }
   s.widthPx = widthPx;
   s.heightPx = heightPx;
   s.recall.reset();
   s.devicePixelRatio = devicePixelRatio;
   s.viewStale = true;
   s.pictureStale = true;
-  if (s.cameraUntouched && s.loaded) s.openingCamera();
+  if (s.cameraUntouched && s.loaded && !s.handleGesture) s.openingCamera();
 }
 
 const Camera& Editor::camera() const { return state_->camera; }
@@ -265,6 +272,8 @@ void Editor::State::moveCamera(const Camera& next) {
   if (!validate(next)) return;
   cameraUntouched = false;
   compositionDue = false;
+  if (next == camera) return;  // or two hosts that follow each other would do so for ever
+  if (handleGesture) endHandleGesture();  // a drag is measured by the camera with which it began
   camera = next;
   recall.reset();  // it was of another picture
   viewStale = true;
@@ -292,7 +301,9 @@ void Editor::State::compose() {
   const View view = currentView();
   const auto fields = fieldSource.measure(view, FieldsFrom::kCpu, devicePixelRatio, nullptr);
   if (!fields) return;
-  camera = composed(view, *fields, scene, placedValues(), placer);
+  const Camera next = composed(view, *fields, scene, placedValues(), placer);
+  if (next == camera) return;
+  camera = next;
   viewStale = true;
   notify(EditorEvent::kCameraChange);
 }

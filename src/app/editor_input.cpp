@@ -206,6 +206,7 @@ bool Editor::State::takeHandle(const PointerInput& input) {
   handleGesture->holds.push_back({input.id, input.kind, snapFor(input.modifiers), input.screen, std::move(*taken)});
   hoverAt.reset();
   updateHover();
+  compositionDue = false;  // the camera stays where the hand has taken hold
   viewStale = true;
   return true;
 }
@@ -234,6 +235,9 @@ void Editor::State::moveHold(HandleHold& hold, const PointerInput& input) {
 /// Brings the values under the pointers.
 void Editor::State::followPointers() {
   if (!handleGesture || !hasSize() || !std::exchange(handleGesture->moved, false)) return;
+  if (std::exchange(handleGesture->regrips, false)) {
+    for (HandleHold& hold : handleGesture->holds) hold.drag.regrip(placed, hold.at, currentView());
+  }
   assign(handleGesture->valuesUnder(values, currentView()));
 }
 

@@ -10,6 +10,17 @@ constexpr int kMostRounds = 4;
 
 }  // namespace
 
+void ValueDrag::regrip(const Layout& layout, const Vec2& pointer, const View& view) {
+  const auto isMine = [&](const auto& placed) { return isOf(placed); };
+  if (HandleDrag* drag = line()) {
+    const auto found = std::ranges::find_if(layout.lines, isMine);
+    if (found != layout.lines.end()) drag->regrip(*found, pointer, view);
+  } else {
+    const auto found = std::ranges::find_if(layout.others, isMine);
+    if (found != layout.others.end()) std::get<ArcDrag>(drag_).regrip(*found, pointer, view);
+  }
+}
+
 Values HandleGesture::valuesUnder(const Values& present, const View& view) {
   Values values = present;
   for (const HandleHold& hold : holds) values.set(hold.drag.parameter(), hold.drag.startValue());

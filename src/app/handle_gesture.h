@@ -35,6 +35,8 @@ public:
     return line() != nullptr && placed.parameter == parameter() && (placed.chain < 0 || placed.identity == line()->startLine().identity);
   }
   [[nodiscard]] bool isOf(const PlacedHandle& placed) const { return arc() != nullptr && placed.parameter == parameter(); }
+  /// As HandleDrag::regrip(), by the line or the arc that this drags, if it is in `layout`.
+  void regrip(const Layout& layout, const Vec2& pointer, const View& view);
   /// Null when it is the other one.
   [[nodiscard]] HandleDrag* line() { return std::get_if<HandleDrag>(&drag_); }
   [[nodiscard]] const HandleDrag* line() const { return std::get_if<HandleDrag>(&drag_); }
@@ -59,6 +61,7 @@ struct HandleGesture {
   Values before;                 ///< what cancelling restores, and the undo step
   Placer::Memory placedBefore;   ///< so that cancelling also puts every line back where it was
   std::vector<HandleHold> holds;   ///< in the order in which they were taken
+  bool regrips = false;            ///< the viewport's size changed: where pointers are next is where they take hold anew
   bool moved = false;              ///< pointers are elsewhere than when the values were last brought under them
 
   [[nodiscard]] auto holdOf(int pointer) { return std::ranges::find(holds, pointer, &HandleHold::pointer); }

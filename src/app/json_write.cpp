@@ -189,6 +189,7 @@ void writeFrame(JsonWriter& json, const Model& model, const Scene& scene, const 
   json.endArray();
   json.key("visible").beginArray();
   for (const std::size_t i : layout.visibleScopes) {
+    if (i >= scene.scopes.size()) continue;   // of a scene before, whose successor has not been placed yet
     json.beginArray().value(scene.scopes[i].name).value(static_cast<std::size_t>(scene.scopes[i].index)).endArray();
   }
   json.endArray();

@@ -65,11 +65,10 @@ Status readCount(const Arguments& arguments, std::string_view option, int least,
 Status readSize(std::string_view text, AuditPlan& plan) {
   constexpr double kMostPx = 8192;
   const std::size_t by = text.find_first_of("xX");
-  const auto width = parseDouble(text.substr(0, by));
-  const auto height = by == std::string_view::npos ? std::nullopt : parseDouble(text.substr(by + 1));
-  const auto good = [](const std::optional<double>& side) {
-    return side && *side >= 1 && *side <= kMostPx && *side == static_cast<int>(*side);
-  };
+  const auto sideOf = [](std::string_view side) { return side.find_first_not_of("0123456789") == std::string_view::npos ? parseDouble(side) : std::nullopt; };
+  const auto width = sideOf(text.substr(0, by));
+  const auto height = by == std::string_view::npos ? std::nullopt : sideOf(text.substr(by + 1));
+  const auto good = [](const std::optional<double>& side) { return side && *side >= 1 && *side <= kMostPx; };
   if (!good(width) || !good(height)) {
     return Error{"--size takes width and height in pixels, each from 1 to 8192, such as 1000x800, not " +
                  inQuotes(text) + "."};

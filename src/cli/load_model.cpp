@@ -1,9 +1,11 @@
 #include "cli/load_model.h"
 
+#include <algorithm>
 #include <ostream>
 
 #include "core/text.h"
 #include "gltf/gltf_reader.h"
+#include "model/unknown_scopes.h"
 #include "models/models.h"
 
 namespace dimline {
@@ -30,10 +32,12 @@ Result<std::string_view> modelArgument(const Arguments& arguments) {
 Result<Model> loadModel(std::string_view nameOrPath, std::ostream& err) {
   const bool fromFile = isGltfPath(nameOrPath);
   auto model = fromFile ? readGltfFile(std::string(nameOrPath)) : findBuiltInModel(nameOrPath);
-  if (!model && !fromFile) return Error{model.error().message + " A model in a file ends in .gltf or .glb."};
+  const bool unknown = !fromFile && std::ranges::find(builtInModels(), nameOrPath, &BuiltInModel::name) == builtInModels().end();
+  if (unknown) return Error{model.error().message + " A model in a file ends in .gltf or .glb."};
   if (!model) return model.error();
-  for (const std::string& diagnostic : model->diagnostics)
-    err << "dimline: note: " << nameOrPath << ": " << diagnostic << "\n";
+  const auto note = [&](const std::string& diagnostic) { err << "dimline: note: " << nameOrPath << ": " << diagnostic << "\n"; };
+  std::ranges::for_each(model->diagnostics, note);
+  if (!fromFile) std::ranges::for_each(findUnknownScopes(*model), note);
   return model;
 }
 

@@ -34,7 +34,7 @@ void writeJson(const Model& model, JsonWriter& json) {
 
 void writeTableRow(const Model& model, std::ostream& out) {
   const ModelStatistics statistics = statisticsOf(model, model.definition.build(Values(model.parameters())));
-  out << std::left << std::setw(16) << model.definition.name << std::setw(28) << model.definition.title << std::right
+  out << std::left << std::setw(22) << model.definition.name << std::setw(28) << model.definition.title << std::right
       << std::setw(10) << statistics.triangles << std::setw(12) << model.parameters().size() << std::setw(12)
       << statistics.baseLines << std::setw(14) << statistics.clusteredBaseLines << std::setw(10) << statistics.clusters
       << "\n";
@@ -50,7 +50,7 @@ Outcome run(std::span<const std::string_view> list, const Streams& streams) {
   JsonWriter json;
   json.beginArray();
   if (!asJson) {
-    streams.out << std::left << std::setw(16) << "name" << std::setw(28) << "title" << std::right << std::setw(10)
+    streams.out << std::left << std::setw(22) << "name" << std::setw(28) << "title" << std::right << std::setw(10)
                 << "triangles" << std::setw(12) << "parameters" << std::setw(12) << "base lines" << std::setw(14)
                 << "in clusters" << std::setw(10) << "clusters" << "\n";
   }

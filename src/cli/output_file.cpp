@@ -27,14 +27,21 @@ Status writeFile(const std::string& path, std::string_view bytes) {
   if (std::filesystem::is_directory(path, code)) return cannot("write", path, EISDIR);
   // What is no plain file (a terminal, a pipe) cannot be replaced and is written to as it stands.
   const bool inPlace = std::filesystem::exists(path, code) && !std::filesystem::is_regular_file(path, code);
-  const std::string partial = inPlace ? path : path + ".partial-" + std::to_string(getpid());
+  // A link stays one, and what it leads to is replaced.
+  const std::filesystem::path resolved = std::filesystem::weakly_canonical(path, code);
+  const std::filesystem::path target = code ? std::filesystem::path(path) : resolved;
+  // A name of its own, which is short enough wherever the target's is.
+  const std::string partial = inPlace ? path : (target.parent_path() / (".dimline-partial-" + std::to_string(getpid()))).string();
 
   std::FILE* file = std::fopen(partial.c_str(), "wb");
   if (file == nullptr) return cannot("write", path, errno);
   const bool written = std::fwrite(bytes.data(), 1, bytes.size(), file) == bytes.size();
   int reason = written ? 0 : errno;
   if (std::fclose(file) != 0 && reason == 0) reason = errno;
-  if (reason == 0 && !inPlace && std::rename(partial.c_str(), path.c_str()) != 0) reason = errno;
+  if (reason == 0 && !inPlace) {
+    if (const auto old = std::filesystem::status(target, code); std::filesystem::exists(old)) std::filesystem::permissions(partial, old.permissions(), code);
+    if (std::rename(partial.c_str(), target.c_str()) != 0) reason = errno;
+  }
   if (reason == 0) return okStatus();
   if (!inPlace) std::remove(partial.c_str());
   return cannot("write", path, reason);

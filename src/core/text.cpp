@@ -109,8 +109,8 @@ std::string formatFixed(double value, int decimals) {
   return text;
 }
 
-std::string inQuotes(std::string_view text, std::size_t mostCharacters) {
-  std::string result = "\"";
+std::string readable(std::string_view text, std::size_t mostCharacters) {
+  std::string result;
   std::size_t characters = 0;
   while (!text.empty()) {
     if (characters++ == mostCharacters) {
@@ -126,8 +126,10 @@ std::string inQuotes(std::string_view text, std::size_t mostCharacters) {
     }
     text.remove_prefix(length == 0 ? 1 : length);
   }
-  return result + '"';
+  return result;
 }
+
+std::string inQuotes(std::string_view text, std::size_t mostCharacters) { return '"' + readable(text, mostCharacters) + '"'; }
 
 std::string joined(std::span<const std::string_view> words, std::string_view lastJoint) {
   std::string result;

@@ -28,7 +28,10 @@ std::size_t utf8Length(std::string_view text);
 inline constexpr std::size_t kRecognisable = 40;
 inline constexpr std::size_t kWholePath = 4096;
 
-/// The text in double quotes, fit for a message: valid UTF-8, control characters and broken bytes replaced, cut after so many characters.
+/// The text fit to be shown or written: valid UTF-8, control characters and broken bytes replaced, cut after so many characters.
+std::string readable(std::string_view text, std::size_t mostCharacters = std::string_view::npos);
+
+/// The text in double quotes, fit for a message (see readable).
 std::string inQuotes(std::string_view text, std::size_t mostCharacters = kRecognisable);
 
 /// "a, b and c"; empty for none.

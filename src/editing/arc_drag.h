@@ -24,6 +24,9 @@ public:
   /// where it was then, and the last value when it is on the centre or not a number. The camera must be the one of begin(); the viewport may have changed.
   double valueAt(const Vec2& pointer, const View& view, Snap snap = Snap::kStep);
 
+  /// As HandleDrag::regrip().
+  void regrip(const PlacedHandle& now, const Vec2& pointer, const View& view) { grabOffset_ = pointer - view.toScreen(now.arc->at(now.arc->angleRad)); }
+
   /// As HandleDrag::addMarks().
   void addMarks(double value, const View& view, Snap snap, std::vector<DragMark>& marks) const;
 

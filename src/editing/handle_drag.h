@@ -49,6 +49,9 @@ public:
   /// values in `others`. What `others` says of this parameter does not matter.
   double valueAmong(const Values& others, const Vec2& pointer, const View& view, Snap snap = Snap::kStep);
 
+  /// The pointer takes hold anew of the line, drawn as `now` in `view`: what it does next begins there. For a viewport whose size changed under it.
+  void regrip(const PlacedLine& now, const Vec2& pointer, const View& view) { grabOffset_ = pointer - view.toScreen(endOf(now.line)); }
+
   /// The dragged line on a rebuilt scene, in the world and as `view` shows it. Nothing when the model has no such scope
   /// any more or the line cannot be projected.
   [[nodiscard]] std::optional<PlacedLine> lineOn(const Scene& scene, const Values& values, const View& view) const;

@@ -323,7 +323,7 @@ class Reader {
     const bool angle = kindOf(parameter_) == Kind::kAngle;
     if (word == "'") return angle ? &kMinute : &kFoot;
     if (word == "\"") return angle ? &kSecond : &kInch;
-    if (!parameter_.noun.empty() && (equalIgnoringCase(word, parameter_.noun) || equalIgnoringCase(word, parameter_.noun + "s"))) return &kNoun;
+    if (!parameter_.noun.empty() && (equalIgnoringCase(word, parameter_.noun) || equalIgnoringCase(word, pluralNoun(parameter_)))) return &kNoun;
     const auto found = std::ranges::find_if(kUnitWords, [&](const UnitWord& u) { return equalIgnoringCase(u.word, word); });
     return found != kUnitWords.end() ? &*found : nullptr;
   }

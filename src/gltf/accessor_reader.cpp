@@ -11,6 +11,8 @@ namespace {
 
 /// More elements than any mesh that could be shown: an accessor without data must not claim memory by its count alone.
 constexpr std::size_t kMaxElements = 100'000'000;
+/// The same where there is no data at all, or some sparse values only: the memory is claimed by a few bytes.
+constexpr std::size_t kMaxElementsWithoutData = 1'000'000;
 
 std::size_t sizeOfComponent(int type) {
   switch (type) {
@@ -94,7 +96,7 @@ Result<const tinygltf::Accessor*> AccessorReader::find(int accessor) const {
     return Error{labelOf(accessor) + " is used but does not exist."};
   }
   const tinygltf::Accessor* found = &model_.accessors[static_cast<std::size_t>(accessor)];
-  if (found->count > kMaxElements) return Error{labelOf(accessor) + " has more elements than could be shown."};
+  if (found->count > (found->bufferView >= 0 ? kMaxElements : kMaxElementsWithoutData)) return Error{labelOf(accessor) + " has more elements than could be shown."};
   return found;
 }
 

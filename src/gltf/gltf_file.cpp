@@ -26,6 +26,12 @@ namespace {
 /// A texture is looked at on a surface of some hundred pixels, and goes with every rebuilt scene.
 constexpr std::uint32_t kMaxTextureSidePx = 1024;
 
+/// Characters of what the parser says: it may quote a whole buffer.
+constexpr std::size_t kMaxReason = 200;
+
+/// By how much a matrix's last row may miss 0, 0, 0, 1: what exporters that multiply in single precision leave.
+constexpr double kMatrixTolerance = 1e-5;
+
 // --- Files for tinygltf ---------------------------------------------------------------------------------------------
 
 /// What the resolver gave for each external buffer. tinygltf asks for them one by one, in order, under names that it has decoded in
@@ -85,7 +91,7 @@ Result<tinygltf::Model> parse(std::span<const std::byte> bytes, const GltfContai
   if (good) return model;
   std::string reason = error.substr(0, error.find('\n'));
   while (reason.ends_with('.') || reason.ends_with(' ')) reason.pop_back();
-  return Error{"the file is damaged: " + (reason.empty() ? std::string("it cannot be parsed") : reason) + "."};
+  return Error{"the file is damaged: " + (reason.empty() ? std::string("it cannot be parsed") : readable(reason, kMaxReason)) + "."};
 }
 
 // --- Conversion -----------------------------------------------------------------------------------------------------
@@ -310,8 +316,10 @@ private:
     if (!node.matrix.empty()) {
       if (node.matrix.size() != 16) return Error{"has a matrix that has not 16 numbers."};
       const Mat4 matrix = glm::make_mat4(node.matrix.data());
-      if (glm::row(matrix, 3) != Vec4(0, 0, 0, 1)) return Error{"has a matrix whose last row is not 0, 0, 0, 1."};
-      return matrix;
+      const Vec4 lastRow(0, 0, 0, 1);
+      const Vec4 missedBy = glm::abs(glm::row(matrix, 3) - lastRow);
+      if (!(std::max({missedBy.x, missedBy.y, missedBy.z, missedBy.w}) <= kMatrixTolerance)) return Error{"has a matrix whose last row is not 0, 0, 0, 1."};
+      return glm::row(matrix, 3, lastRow);
     }
     const auto& t = node.translation;
     const auto& r = node.rotation;

@@ -113,7 +113,10 @@ Result<ImportedScene> sceneOf(GltfFile file) {
       scene.bounds.add(world);
     }
   }
-  if (!(scene.bounds.diagonal() > 0)) return Error{"the file shows no triangles, so there is nothing to dimension."};
+  if (!(scene.bounds.diagonal() > 0)) {
+    const std::string why = scene.diagnostics.empty() ? "" : " " + scene.diagnostics.front();
+    return Error{"the file shows no triangles, so there is nothing to dimension." + why};
+  }
   return scene;
 }
 

@@ -27,7 +27,7 @@ std::vector<Vec2> sortedByX(std::span<const Vec2> points) {
   for (auto key = keys.begin(); key != keys.end();) {
     const double x = key->value;
     double low = points[key->index].y, high = low;
-    for (; key != keys.end() && key->value == x; ++key) {
+    for (++key; key != keys.end() && key->value == x; ++key) {
       low = std::min(low, points[key->index].y);
       high = std::max(high, points[key->index].y);
     }

@@ -114,7 +114,8 @@ constexpr Vocabulary<Property> kPropertyWords{kProperties, kPropertyAliases};
 std::string keyOf(std::string_view word) {
   std::string key;
   for (const char c : word) {
-    if (c == '-' || c == '_') continue;
+    // Within a word only: in front it is a sign, and -x is not x.
+    if ((c == '-' && !key.empty()) || c == '_') continue;
     key += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
   }
   return key;
@@ -174,8 +175,9 @@ public:
       }
     }
     if (out().scope.empty()) {
-      return Error{messageStart({}) +
-                   "the annotation names no scope; add scope=NAME, the name of the boxes that it measures."};
+      // A word that was taken for a property may have been meant as the scope.
+      const std::string leftOut = parsed_.warnings.empty() ? "" : " " + parsed_.warnings.front();
+      return Error{messageStart({}) + "the annotation names no scope; add scope=NAME, the name of the boxes that it measures." + leftOut};
     }
     combineType();
     combineOrient();

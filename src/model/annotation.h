@@ -26,7 +26,8 @@ enum class HandleType {
 };
 
 /// Direction of a base line: for linear types along a scope's axis (+y -y -x +x +z -z); for diametric, radial and angular the
-/// sign is dropped and the axis counts; for the spherical types, horizontal or vertical on screen.
+/// sign is dropped and the axis counts (an arc turns about it, round the scope's origin, from the axis after it towards the one after that: about z
+/// from x to y); for the spherical types, horizontal or vertical on screen.
 enum class Orient { kUp, kDown, kLeft, kRight, kFront, kBack, kHorizontal, kVertical };
 
 /// The plane on which a base line may slip out of the silhouette (paper 3.2 and 4).
@@ -52,7 +53,7 @@ struct Annotation {
   bool occlusion = true;                 ///< hidden when the scope is hidden
   HandleSkin skin = HandleSkin::kArrow;
   std::optional<std::array<std::uint8_t, 3>> color;
-  Vec3 translate{0.0};                   ///< moves the base lines, in scope sizes
+  Vec3 translate{0.0};                   ///< moves the base lines, or an arc's centre, in scope sizes
 };
 
 struct ParsedAnnotation {

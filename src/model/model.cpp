@@ -47,8 +47,9 @@ Status checkChoices(const Parameter& parameter) {
   return okStatus();
 }
 
-/// A switch and a choice have the only range they can have, so that nobody needs to write it down.
+/// A switch and a choice have the only range they can have, and an angle its unit, so that nobody needs to write it down.
 void normalise(Parameter& parameter) {
+  if (parameter.type == ParameterType::kAngle) parameter.unit = Unit::kDegree;
   if (parameter.type == ParameterType::kBool) {
     parameter.min = 0;
     parameter.max = 1;
@@ -110,6 +111,10 @@ Result<Model> makeModel(ModelDefinition definition) {
       return Error{"In the model " + inQuotes(definition.name) + ": " + error.message};
     };
     if (trim(parameter.name).empty()) return inModel(Error{"parameter " + std::to_string(i + 1) + " has no name."});
+    if (trim(parameter.name) != parameter.name || parameter.name.find('=') != std::string::npos) {
+      return inModel(Error{"the name " + inQuotes(parameter.name) + " has a blank at an end or an = in it, so nobody could set it by name."});
+    }
+    if (parameter.measure) return inModel(Error{parameter.name + " is a measure; it belongs among the model's measures."});
     if (*findParameter(parameters, parameter.name) != i) {
       return inModel(Error{"two parameters are named " + inQuotes(parameter.name) + "."});
     }

@@ -20,7 +20,7 @@ inline constexpr std::string_view kModelScope = "Model";
 struct Measure {
   Parameter shown;   ///< its name, title, help, unit and annotation, which must be that of a dimension line, or none; range, step and default mean nothing
   /// In the unit of `shown`. Empty: the size, along the line's axis, of the first scope that the annotation names.
-  std::function<double(const Values&, const Scene&)> value;
+  std::function<double(const Values&, const Scene&)> value{};
 };
 
 /// A parametric model: its parameters and the rule that turns values into a scene. The rule is a pure function: the same

@@ -159,6 +159,8 @@ Result<double> parseValue(const Parameter& parameter, std::string_view text) {
   return parseNumber(parameter, trimmed);
 }
 
+std::string pluralNoun(const Parameter& parameter) { return parameter.plural.empty() ? parameter.noun + "s" : parameter.plural; }
+
 std::string_view unitSuffix(Unit unit) {
   switch (unit) {
     case Unit::kMetre:

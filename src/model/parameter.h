@@ -29,6 +29,7 @@ struct Parameter {
   double max = 1;
   double step = 0;                   ///< 0: any value; typed and scripted values may be off-step, drags snap to it
   std::string noun{};                ///< what a count counts, in the singular, for labels: "floor" gives "2 floors"
+  std::string plural{};              ///< where it is not the noun with an s: "shelves"
   std::vector<std::string> choices{};  ///< names of the choices, for kChoice
   std::string annotation{};          ///< the text beside the definition (DESIGN.md section 3); empty: only in the panel
   bool measure = false;              ///< follows from other values: shown by a line that nobody can drag (see Measure)
@@ -67,6 +68,9 @@ Result<double> parseValue(const Parameter& parameter, std::string_view text);
 
 /// The value as people read it, with its unit and the parameter's decimal mark: "2.40 m", "35°", "3", "on", "gable".
 std::string formatValue(const Parameter& parameter, double value);
+
+/// What several of a count are called: its plural, or its noun with an s.
+std::string pluralNoun(const Parameter& parameter);
 
 /// The unit as it follows a number: " m", "°", " m²", "".
 std::string_view unitSuffix(Unit unit);

@@ -22,10 +22,10 @@ namespace dimline {
 struct RoofOptions {
   double pitchRad = 0.6;                   ///< (0, 1.4)
   double overhangM = 0;                    ///< beyond the floor on all four sides, measured level, >= 0
-  std::optional<double> topOverhangM;      ///< the same at the upper edge of a shed roof; default: overhangM
+  std::optional<double> topOverhangM{};     ///< the same at the upper edge of a shed roof; default: overhangM
   double thicknessM = 0.2;                 ///< at right angles to the slope, > 0
-  std::optional<std::uint16_t> edge;       ///< material of the fascia; default: the current one, as for the outer faces
-  std::optional<std::uint16_t> underside;  ///< material of the soffit
+  std::optional<std::uint16_t> edge{};     ///< material of the fascia; default: the current one, as for the outer faces
+  std::optional<std::uint16_t> underside{};///< material of the soffit
   [[nodiscard]] double eaveDropM() const;
 };
 
@@ -36,8 +36,8 @@ struct FlatRoofOptions {
   double thicknessM = 0.25;     ///< of the slab, upright, > 0
   double parapetHeightM = 0.3;  ///< above the slab; 0: none
   double parapetWidthM = 0.2;
-  std::optional<std::uint16_t> edge;  ///< the slab's and the parapet's faces outwards, and the parapet's top
-  std::optional<std::uint16_t> underside;
+  std::optional<std::uint16_t> edge{};  ///< the slab's and the parapet's faces outwards, and the parapet's top
+  std::optional<std::uint16_t> underside{};
 };
 
 /// What was built, for all that is fixed to a roof. Everything is in metres from the scope's origin, along its axes.

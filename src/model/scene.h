@@ -63,7 +63,7 @@ struct Scene {
   [[nodiscard]] std::size_t triangleCount() const;   ///< instances counted each
 };
 
-/// Fills Scene::bounds from the instances, and Scope::index from the scopes' names. The Builder and the glTF reader call it last.
+/// Fills Scene::bounds from the instances, and Scope::index from the scopes' names; a scope with a number that is not finite goes. The Builder and the glTF reader call it last.
 void finish(Scene& scene);
 
 }  // namespace dimline

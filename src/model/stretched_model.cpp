@@ -191,7 +191,7 @@ std::string_view stemOf(std::string_view name) {
 ModelDefinition definitionOf(std::shared_ptr<const ImportedScene> source) {
   ModelDefinition definition;
   const std::string_view stem = trim(stemOf(source->name));
-  definition.name = stem.empty() ? "model" : stem;
+  definition.name = stem.empty() ? "model" : readable(stem);   // a file may have any name
   definition.title = definition.name;
   std::replace(definition.title.begin(), definition.title.end(), '_', ' ');
 

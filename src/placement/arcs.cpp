@@ -25,9 +25,15 @@ bool project(const Arc& arc, const View& view, std::array<Vec2, kArcSamples + 1>
   return view.inFrontOfNear(arc.center);
 }
 
-/// Where the angle's text stands: beyond the middle of the arc, away from the centre.
-Box2 arcLabel(const Arc& arc, const Vec2& size, const View& view) {
-  const Vec2 middle = view.toScreen(arc.at(arc.angleRad * 0.5));
+/// px. In what steps an arc is slid out of the silhouette.
+constexpr double kArcStepPx = 6.0;
+
+/// Where along the arc the angle's text may stand, in the order of preference.
+constexpr std::array kLabelShares = {0.5, 0.25, 0.75, 0.0, 1.0};
+
+/// Where the angle's text stands: beyond the arc at `share` of its length, away from the centre.
+Box2 arcLabel(const Arc& arc, const Vec2& size, const View& view, double share) {
+  const Vec2 middle = view.toScreen(arc.at(arc.angleRad * share));
   const Vec2 center = view.toScreen(arc.center);
   const Vec2 out = middle - center;
   const double length = glm::length(out);
@@ -38,12 +44,12 @@ Box2 arcLabel(const Arc& arc, const Vec2& size, const View& view) {
 
 /// Moves an arc along its plane until arc, arms and label clear the padded fields, in steps of a few pixels. False when none of them does in the viewport.
 bool slideArc(Arc& arc, const Vec3& outward, const Vec2& labelSize, const OtherHandleContext& context) {
-  const double stepM = context.view.metresPerPixelAt(arc.center) * 6.0;
-  const int most = static_cast<int>((context.view.widthPx() + context.view.heightPx()) / 6.0);
+  const double stepM = context.view.metresPerPixelAt(arc.center) * kArcStepPx;
+  const int most = static_cast<int>((context.view.widthPx() + context.view.heightPx()) / kArcStepPx);
   std::array<Vec2, kArcSamples + 1> points;
   for (int step = 0; step < most; ++step, arc.center += outward * stepM) {
     if (!project(arc, context.view, points)) return false;
-    Box2 all = arcLabel(arc, labelSize, context.view);
+    Box2 all = arcLabel(arc, labelSize, context.view, kLabelShares.front());
     for (const Vec2& p : points) all.add(p);
     all.add(context.view.toScreen(arc.center));
     if (step > 0 && !onScreen(all, context.view)) return false;
@@ -91,13 +97,17 @@ std::optional<HiddenReason> placeArc(const OtherHandle& handle, const OtherHandl
     const auto offer = [&](const Arc& arc, PlacementKind placement, int direction, double offerScore) {
       std::array<Vec2, kArcSamples + 1> points;
       if (offerScore <= bestScore || !project(arc, context.view, points)) return;
+      // Both ends of the arms count, since the hand takes one of them; and what the arc says.
       const Vec2 center = context.view.toScreen(arc.center);
-      if (!onScreen(Box2{center, center}, context.view)) return;
+      if (!onScreen(Box2{center, center}, context.view) || !onScreen(Box2{points[kArcSamples], points[kArcSamples]}, context.view)) return;
+      const auto label = [&](double share) { return arcLabel(arc, labelSize, context.view, share); };
+      const auto share = std::ranges::find_if(kLabelShares, [&](double among) { return onScreen(label(among), context.view); });
+      if (share == kLabelShares.end()) return;
       found = true;
       bestScore = offerScore;
       placed.scope = scope;
       placed.anchor = context.view.toScreen(home.center);
-      placed.box = arcLabel(arc, labelSize, context.view);
+      placed.box = label(*share);
       placed.placement = placement;
       placed.arc = arc;
       placed.handles.clear();

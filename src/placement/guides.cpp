@@ -9,13 +9,17 @@ int Guides::add(const Plane& plane, const Segment& line) {
   Guide& guide = guides_[count_];
   guide.plane = plane;
   guide.point = line.start;
-  guide.along = glm::normalize(line.end - line.start);
+  // Of a line that was dragged to no length the direction is unknown: nothing lies along its guide.
+  const double length = line.length();
+  guide.along = length > 0 ? (line.end - line.start) / length : Vec3(0.0);
   guide.taken.clear();
   return static_cast<int>(count_++);
 }
 
 int Guides::through(const Segment& line, const Plane& plane, double toleranceM) const {
-  const Vec3 along = glm::normalize(line.end - line.start);
+  const double length = line.length();
+  if (!(length > 0)) return -1;
+  const Vec3 along = (line.end - line.start) / length;
   for (std::size_t i = 0; i < count_; ++i) {
     if (!liesOn(guides_[i], plane, along, toleranceM)) continue;
     const Vec3 aside = line.start - guides_[i].point - guides_[i].along * guides_[i].metresAt(line.start);
@@ -26,7 +30,7 @@ int Guides::through(const Segment& line, const Plane& plane, double toleranceM) 
 
 bool liesOn(const Guide& guide, const Plane& plane, const Vec3& alongUnit, double toleranceM) {
   // For unit vectors the cross product's length is the sine of the angle, whichever way round they run.
-  if (glm::length(glm::cross(guide.along, alongUnit)) > kSamePlaneAngleRad) return false;
+  if (guide.along == Vec3(0.0) || glm::length(glm::cross(guide.along, alongUnit)) > kSamePlaneAngleRad) return false;
   if (glm::length(glm::cross(guide.plane.normal, plane.normal)) > kSamePlaneAngleRad) return false;
   return std::abs(glm::dot(guide.point - plane.point, plane.normal)) <= toleranceM;
 }

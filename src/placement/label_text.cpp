@@ -7,7 +7,7 @@ std::string labelText(const Parameter& parameter, double value) {
   const bool bare = parameter.unit == Unit::kNone && (parameter.type == ParameterType::kInt || parameter.type == ParameterType::kFloat);
   if (!bare) return text;
   if (parameter.noun.empty()) return parameter.title + " " + text;
-  return text + " " + parameter.noun + (value == 1 ? "" : "s");
+  return text + " " + (value == 1 ? parameter.noun : pluralNoun(parameter));
 }
 
 }  // namespace dimline

@@ -304,7 +304,8 @@ void Placer::State::landChoice(const Measured& measured, double value, Layout& l
 /// A line that is being dragged stays on its carrier, whatever this frame would have chosen for it.
 void Placer::State::landHeld(Measured& measured, const PlacedLine& held, Layout& layout) {
   label(measured, parameters[held.parameter], held.value);
-  const Vec3 along = glm::normalize(held.line.end - held.line.start);
+  const double heldM = held.line.length();
+  const Vec3 along = heldM > 0 ? (held.line.end - held.line.start) / heldM : Vec3(0.0);
   const Vec3 fromFoot = held.line.start - held.foot.start;
   Identity place = held.identity;
   if (place.chain >= 0) place.scopeIndex = -1;   // that of the chain, not of its member

@@ -61,7 +61,7 @@ std::string point(const Vec2& p) { return number(p.x) + " " + number(p.y); }
 
 std::string escaped(std::string_view text) {
   std::string result;
-  for (const char c : text) {
+  for (const char c : readable(text)) {
     switch (c) {
       case '&':
         result += "&amp;";

@@ -108,6 +108,26 @@ TEST_CASE("an arc's end is dragged about its centre: one undo step, and the arc 
   CHECK_FALSE(stage.editor.canUndo());
 }
 
+TEST_CASE("a viewport that changes its size while an arc is dragged changes no angle, and the drag goes on from there") {
+  HandleStage stage;
+  const Vec2 grip = arcArrowMiddle(*stage.other("Pitch").arc, stage.editor.layout().view);
+  stage.down(grip);
+  const Vec2 at = stage.about(50, 120);
+  stage.move(at);
+  stage.frame();
+  const double dragged = stage.value("Pitch");
+  CHECK(dragged != 30);
+  stage.editor.resize(700, 700, 1);
+  stage.frame();
+  stage.move(at + Vec2(0.1, 0));
+  stage.frame();
+  CHECK(stage.value("Pitch") == dragged);
+  stage.move(at + Vec2(0.1, -15));
+  stage.frame();
+  CHECK(stage.value("Pitch") > dragged);
+  stage.up(at + Vec2(0.1, -15));
+}
+
 TEST_CASE("cancelling the drag of an arc takes it back exactly") {
   HandleStage stage;
   const PlacedHandle before = stage.other("Pitch");

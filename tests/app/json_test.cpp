@@ -44,6 +44,16 @@ std::string errorOf(const Result<Camera>& result) { return result ? "" : result.
 
 }  // namespace
 
+TEST_CASE("scopes that are no more are left out of what is visible") {
+  const Model model = makeModel(boxWithDoor()).value();
+  Scene scene = model.definition.build(Values(model.parameters()));
+  Layout layout;
+  layout.visibleScopes = {0, scene.scopes.size()};
+  JsonWriter json;
+  writeFrame(json, model, scene, layout);
+  CHECK(nlohmann::json::parse(json.text())["visible"].size() == 1);
+}
+
 TEST_CASE("JSON text is written with its commas, quotes and escapes") {
   JsonWriter json;
   json.beginObject();

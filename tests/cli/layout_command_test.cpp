@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <set>
 
 #include <catch2/catch.hpp>
@@ -223,6 +224,30 @@ TEST_CASE("an output file is written whole or not at all") {
   CHECK(onFolder.err.find("Is a directory") != std::string::npos);
   const Run masksOnFile = runProgram({"layout", "house", "--masks", old, "-o", "-"});
   CHECK(masksOnFile.status == 1);
+}
+
+TEST_CASE("an output that is a link stays one, and a file keeps its permissions") {
+  namespace fs = std::filesystem;
+  const TemporaryFolder folder;
+  const std::string target = folder.file("target.json", "what was there");
+  fs::permissions(target, fs::perms::owner_read | fs::perms::owner_write);
+  fs::create_symlink("target.json", folder / "link.json");
+  CHECK(runProgram({"layout", "house", "-o", folder / "link.json"}).status == 0);
+  CHECK(fs::is_symlink(folder / "link.json"));
+  CHECK(parsed(contentOf(target))["model"] == "house");
+  CHECK(fs::status(target).permissions() == (fs::perms::owner_read | fs::perms::owner_write));
+
+  const std::string longest = folder / (std::string(250, 'a') + ".json");
+  CHECK(runProgram({"layout", "house", "-o", longest}).status == 0);
+}
+
+TEST_CASE("a model file of any name gives well-formed text") {
+  const TemporaryFolder folder;
+  const std::string model = folder.file("b\xE9\x01.gltf", contentOf(DIMLINE_TEST_DATA_DIR "/gltf/chair_A.gltf"));
+  for (const char* beside : {"chair_A.bin", "furniturebits_texture.png"}) (void)folder.file(beside, contentOf(std::string(DIMLINE_TEST_DATA_DIR "/gltf/") + beside));
+  CHECK(layoutOf({model, "--svg", folder / "drawings"})["model"] == "b\xEF\xBF\xBD\xEF\xBF\xBD");
+  CHECK(contentOf(folder / "drawings/0000.svg").find("b\xEF\xBF\xBD\xEF\xBF\xBD") != std::string::npos);
+  CHECK(runProgram({"export", model, "-o", folder / "out.glb"}).status == 0);
 }
 
 TEST_CASE("cameras from the command line are like those from a file") {

@@ -144,12 +144,27 @@ TEST_CASE("numbers that no model has") {
   CHECK(errorOf(maker.glb()) == "a.glb: in mesh 0, accessor 0 holds a number that is not finite.");
 }
 
+TEST_CASE("a count without data claims no memory") {
+  CHECK(errorAfter([](json& r) {
+          r["accessors"][0].erase("bufferView");
+          r["accessors"][0]["count"] = 99'999'999;
+        }) == "a.glb: in mesh 0, accessor 0 has more elements than could be shown.");
+}
+
+TEST_CASE("a message quotes no whole buffer") {
+  const std::string error = errorAfter([](json& r) {
+    r["buffers"].push_back({{"byteLength", 7}, {"uri", "data:application/octet-stream;base64," + std::string(100'000, 'A')}});
+  });
+  CHECK(error.starts_with("a.glb: "));
+  CHECK(error.size() < 400);
+}
+
 TEST_CASE("files that show nothing") {
   const std::string nothing = "a.glb: the file shows no triangles, so there is nothing to dimension.";
   CHECK(errorOf(GltfMaker().glb()) == nothing);
   CHECK(errorAfter([](json& r) { r["scenes"][0]["nodes"] = json::array(); }) == nothing);
   CHECK(errorAfter([](json& r) { r["nodes"][1]["scale"] = {0, 0, 0}; }) == nothing);
-  CHECK(errorAfter([](json& r) { r["meshes"][0]["primitives"][0]["mode"] = 1; }) == nothing);
+  CHECK(errorAfter([](json& r) { r["meshes"][0]["primitives"][0]["mode"] = 1; }) == nothing + " Mesh 0 has points or lines, which are left out.");
   CHECK(errorAfter([](json& r) { r["meshes"][0]["primitives"][0].erase("attributes"); }) == nothing);
 }
 

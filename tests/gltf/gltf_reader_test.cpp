@@ -165,6 +165,17 @@ TEST_CASE("transforms reach through the tree: matrix, rotation, scale and mirror
   CHECK(near(scene.scopes[2].box.size, {2, 1, 1}));
 }
 
+TEST_CASE("a matrix may miss its last row by what single precision leaves, and no more") {
+  const auto error = [](double last) {
+    GltfMaker maker;
+    maker.node({{"mesh", maker.box({1, 1, 1})}, {"matrix", {1, 0, 0, 1e-17, 0, 1, 0, 0, 0, 0, 1, 0, 0, 5, 0, last}}});
+    const auto model = readGltf("a.glb", maker.glb(), [](std::string_view) -> Result<std::vector<std::byte>> { return Error{"none"}; });
+    return model.ok() ? std::string() : model.error().message;
+  };
+  CHECK(error(0.99999994).empty());
+  CHECK(error(0.999) == "a.glb: node 0 has a matrix whose last row is not 0, 0, 0, 1.");
+}
+
 TEST_CASE("a mirrored node keeps its outside outside") {
   for (const auto& scale : {json{-1, 1, 1}, json{1, -2, 1}, json{-1, -1, -1}, json{-1, -1, 1}}) {
     INFO(scale.dump());

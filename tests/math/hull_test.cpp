@@ -11,6 +11,11 @@ TEST_CASE("the hull of a square with points inside and on its sides is the squar
   CHECK(convexHull(points, 1e-9) == std::vector<Vec2>{{0, 0}, {2, 0}, {2, 2}, {0, 2}});
 }
 
+TEST_CASE("a point that is none does not keep the hull from coming to an end") {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  CHECK(convexHull(std::vector<Vec2>{{nan, 0}, {0, nan}, {1, 1}, {nan, nan}}, 1e-9).size() <= 8);
+}
+
 TEST_CASE("points on a line have no area, and no points no hull") {
   CHECK(convexHull(std::vector<Vec2>{{0, 0}, {1, 1}, {3, 3}}, 1e-9).size() == 2);
   CHECK(convexHull(std::vector<Vec2>{{1, 2}, {1, 2}}, 1e-9) == std::vector<Vec2>{{1, 2}});

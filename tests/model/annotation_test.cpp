@@ -198,6 +198,7 @@ TEST_CASE("what is unknown is left out with a warning that names the place and w
   CHECK(warned("@Handle(scope=S, translate={1,,3})", "three numbers").translate == Vec3(0.0));
   CHECK(warned("@Handle(scope=S, translate={})", "three numbers").translate == Vec3(0.0));
   CHECK(warned("@Handle(scope=S, orient={up})", "orient cannot be \"{up}\"").orient == Orient::kUp);
+  CHECK(warned("@Handle(scope=S, axis=-x)", "axis cannot be \"-x\"").orient == Orient::kUp);
   CHECK(warned("@Handle(scope=S, chained=maybe)", "true or false").chained == false);
   CHECK(warned("@Handle(scope=S, repeat=grid)", "chain or none").chained == false);
   CHECK(warned("@Handle(scope=S, type=radial, reference=center)", "type=linear only").type == HandleType::kRadial);

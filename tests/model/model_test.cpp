@@ -132,6 +132,10 @@ TEST_CASE("an unusable definition says why") {
   CHECK(spoilt([](Parameter& p) { p.step = -1; }) ==
         start + "Width's step must be 0 (any value) or a positive number.");
   CHECK(spoilt([](Parameter& p) { p.name = " "; }) == start + "parameter 1 has no name.");
+  CHECK(spoilt([](Parameter& p) { p.name = "A=B"; }) ==
+        start + "the name \"A=B\" has a blank at an end or an = in it, so nobody could set it by name.");
+  CHECK(spoilt([](Parameter& p) { p.name = "A "; }).find("the name \"A \" has a blank") != std::string::npos);
+  CHECK(spoilt([](Parameter& p) { p.measure = true; }) == start + "Width is a measure; it belongs among the model's measures.");
   CHECK(spoilt([](Parameter& p) { p.type = ParameterType::kChoice; }) ==
         start + "Width is a choice without names to choose from.");
   CHECK(spoilt([](Parameter& p) {

@@ -53,5 +53,15 @@ TEST_CASE("a scope's index counts those of its name, in order") {
   CHECK(indices == std::vector<std::uint32_t>{0, 0, 1, 2, 1, 0});
 }
 
+TEST_CASE("a scope with a number that is not finite goes, and is not counted") {
+  Scene scene;
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  scene.scopes = {{"Window", 0, {.size = {1, nan, 1}}}, {"Window", 0, {.origin = {nan, 0, 0}}}, {"Window", 0, {.size = {1, 2, 3}}}};
+  finish(scene);
+  REQUIRE(scene.scopes.size() == 1);
+  CHECK(scene.scopes[0].index == 0);
+  CHECK(scene.scopes[0].box.size == Vec3(1, 2, 3));
+}
+
 }  // namespace
 }  // namespace dimline

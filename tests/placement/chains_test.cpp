@@ -145,6 +145,15 @@ TEST_CASE("stretches that touch are free, stretches that overlap are not") {
   CHECK(taken.free(2, 3, 1e-6));
 }
 
+TEST_CASE("along the guide of a line without a length lies nothing") {
+  const Plane front{{0, 0, 0}, {0, 0, 1}};
+  Guides guides;
+  guides.add(front, {{1, 1, 0}, {1, 1, 0}});
+  CHECK_FALSE(liesOn(guides[0], front, {1, 0, 0}, 0.01));
+  CHECK_FALSE(liesOn(guides[0], front, {0, 1, 0}, 0.01));
+  CHECK(guides.through({{1, 1, 0}, {1, 1, 0}}, front, 0.01) == -1);
+}
+
 TEST_CASE("a guide lies on its plane and every plane through it, within the tolerance, whichever way round it runs") {
   Guides guides;
   const int number = guides.add({{0, 0, 1}, {0, 0, 1}}, {{0, 2, 1}, {3, 2, 1}});

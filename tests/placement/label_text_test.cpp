@@ -15,4 +15,8 @@ TEST_CASE("a count says what it counts, or else names its parameter") {
   floors.noun = "floor";
   CHECK(labelText(floors, 2) == "2 floors");
   CHECK(labelText(floors, 1) == "1 floor");
+  floors.noun = "shelf";
+  floors.plural = "shelves";
+  CHECK(labelText(floors, 2) == "2 shelves");
+  CHECK(labelText(floors, 1) == "1 shelf");
 }

@@ -1,6 +1,7 @@
 #include <catch2/catch.hpp>
 
 #include <cmath>
+#include <set>
 
 #include "placement/arcs.h"
 #include "placement/pills.h"
@@ -379,6 +380,41 @@ TEST_CASE("an angular handle with slip none stays in its scope's frame, another 
   CHECK(placed.placement == PlacementKind::kOutside);
   CHECK(clears(stage.padded, Box2{placed.handles[0].screen, placed.handles[0].screen}));
   CHECK(clears(stage.padded, placed.box));
+}
+
+TEST_CASE("an arc whose end or text would leave the picture is not shown, and its text moves along it to stay") {
+  FrontOfBox stage;
+  const Parameter pitch{.name = "Pitch", .type = ParameterType::kAngle, .unit = Unit::kDegree, .defaultValue = 40, .min = 0, .max = 90};
+  History history(0);
+  const auto placedAt = [&](double targetX) {
+    Camera camera;
+    camera.eye = {targetX, 2.5, 30};
+    camera.target = {targetX, 2.5, 0};
+    camera.orthoHeightM = 20;
+    stage.view = View(camera, 1000, 1000, stage.scene.bounds);
+    PlacedHandle placed;
+    const OtherHandle handle{0, pitch, annotated(HandleType::kAngular, Orient::kFront, Slip::kNone), stage.scopes, 40, history};
+    return placeArc(handle, stage.context(), placed) ? std::nullopt : std::optional(placed);
+  };
+  int shown = 0, hidden = 0;
+  std::set<double> offsets;
+  // The arc's centre is the box's lower left corner, at x 300 when the picture's middle is at 0; so it leaves to the left, then its arm comes in from the right.
+  for (double targetX = -15; targetX < 7; targetX += 0.1) {
+    const auto placed = placedAt(targetX);
+    if (!placed) {
+      ++hidden;
+      continue;
+    }
+    ++shown;
+    const Box2 picture = stage.view.viewport();
+    CHECK(picture.contains(placed->box));
+    CHECK(picture.contains(placed->handles.front().screen));
+    const Vec2 usual = stage.view.toScreen(placed->arc->at(placed->arc->angleRad * 0.5)) - placed->box.center();
+    offsets.insert(std::round(usual.x));
+  }
+  CHECK(shown > 150);
+  CHECK(hidden > 10);
+  CHECK(offsets.size() > 1);   // of the text from the arc's middle
 }
 
 TEST_CASE("where the default angle is small an arc has a greater radius, as long as it does not dwarf the model") {

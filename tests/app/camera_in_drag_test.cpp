@@ -1,0 +1,92 @@
+#include <functional>
+
+#include <catch2/catch.hpp>
+
+#include "app/editor_stage.h"
+
+// A drag is measured by the camera and in the viewport with which it began, and either may change under it.
+
+using namespace dimline;
+using namespace dimline::test;
+
+namespace {
+
+/// Drags the handle of `name` by `byPx` and holds it; gives where the pointer is.
+Vec2 holdDragged(EditorStage& stage, std::string_view name, const Vec2& byPx) {
+  const Vec2 at = stage.handle(name);
+  REQUIRE(stage.down(at) == PointerTarget::kHandle);
+  stage.move(at + byPx);
+  stage.frame();
+  return at + byPx;
+}
+
+}  // namespace
+
+TEST_CASE("a viewport that changes its size in a drag changes no value, and the drag goes on from there") {
+  EditorStage stage;
+  for (const bool untouched : {true, false}) {
+    if (!untouched) (void)stage.editor.setCamera(orthoFront());
+    stage.settle();
+    const Vec2 at = holdDragged(stage, "Width", {-40, 0});
+    const Camera camera = stage.editor.camera();
+    const double dragged = stage.value("Width");
+    stage.editor.resize(700, 640, 1);
+    stage.frame();
+    CHECK(stage.value("Width") == dragged);
+    stage.move(at + Vec2(0.1, 0));   // takes hold anew
+    stage.frame();
+    CHECK(stage.value("Width") == dragged);
+    const Vec2 before = stage.handle("Width");
+    stage.move(at + Vec2(20.1, 0));
+    stage.frame();
+    CHECK(stage.value("Width") > dragged);
+    CHECK(stage.handle("Width").x - before.x == Approx(20).margin(3));   // within a step
+    CHECK(stage.editor.camera() == camera);
+    stage.up(at + Vec2(20.1, 0));
+    stage.editor.undo();
+    CHECK(stage.value("Width") == 8);
+    stage.editor.resize(1000, 1000, 1);
+    stage.settle();
+  }
+}
+
+TEST_CASE("a camera that is set in a drag ends it as letting go would") {
+  const auto viewFrom = [](Editor& editor) { editor.setStandardView(StandardView::kRight); };
+  const auto parallel = [](Editor& editor) { editor.setOrthographic(!editor.camera().orthographic()); };
+  const auto fit = [](Editor& editor) { editor.fitToView(); };
+  const auto set = [](Editor& editor) { (void)editor.setCamera(orthoFront()); };
+  const std::vector<std::function<void(Editor&)>> ways{viewFrom, parallel, fit, set};
+  for (const auto& change : ways) {
+    EditorStage stage;
+    Vec2 at = holdDragged(stage, "Width", {-40, 0});
+    const double dragged = stage.value("Width");
+    CHECK(dragged != 8);
+    change(stage.editor);
+    stage.frame();
+    CHECK(stage.editor.gestures().empty());
+    stage.move(at += Vec2(30, 0));
+    stage.frame();
+    CHECK(stage.value("Width") == dragged);
+    stage.editor.undo();
+    CHECK(stage.value("Width") == 8);
+  }
+}
+
+TEST_CASE("a camera that is set to what it is changes nothing and is told to nobody") {
+  EditorStage stage;
+  const Vec2 at = holdDragged(stage, "Width", {-40, 0});
+  stage.editor.takeEvents();
+  CHECK(stage.editor.setCamera(stage.editor.camera()));
+  CHECK(stage.editor.takeEvents().empty());
+  CHECK(stage.editor.gestures().size() == 1);
+  stage.up(at);
+}
+
+TEST_CASE("events that nobody takes do not pile up") {
+  EditorStage stage;
+  for (int i = 0; i < 1000; ++i) {
+    stage.set("Width", 5 + i % 2);
+    stage.editor.setOrthographic(i % 2 == 0);
+  }
+  CHECK(stage.editor.takeEvents().size() < 300);
+}
