@@ -29,6 +29,19 @@ function makeContextBefore(coming, canvas) {
   }
 }
 
+/** The address of a model's file, absolute. */
+function addressOf(name) {
+  if (!URL.canParse(name, document.baseURI)) throw new Error(`"${name}" is no address of a glTF file.`);
+  return new URL(name, document.baseURI).href;
+}
+
+/** Whether a key goes into a field of some page, as text or as its value. */
+function isTyped(event) {
+  const target = event.composedPath()[0];
+  if (!target?.matches) return false;
+  return target.isContentEditable || target.matches("select, textarea, input:not([type=range], [type=checkbox], [type=radio], [type=button], [type=submit])");
+}
+
 /**
  * `<dimline-editor model="house">`: a parametric model with dimension lines that can be dragged.
  *
@@ -42,8 +55,9 @@ function makeContextBefore(coming, canvas) {
  * - `lang`: the language in whose manner numbers are written, as in "9,40 m"; the visitor's own by default
  * - `core-url` (`coreUrl`): where dimline.js lies, when not in build/ beside this file; read when the element enters a document
  *
- * Events; all bubble and leave the shadow tree:
- * - `load`: another document is shown; `error`: it could not be, and the old one stays, or not with its initial values (an ErrorEvent)
+ * Events; all but `error` bubble and leave the shadow tree:
+ * - `load`: another document is shown; `error`: it could not be, and the old one stays, or not with its initial values (an ErrorEvent, which
+ *   stays with the element: at the window it would count as a fault of the page's scripts)
  * - `input`: a value changes; `change`: once at the end of each gesture, undo or scripted change
  * - `camera-change`
  */
@@ -56,7 +70,8 @@ export class DimlineEditor extends Base {
   #parts = null; // what #build() made
   #listening = null; // AbortController: everything that must end with the element
   #loading = null; // AbortController of the model under way
-  #hasModel = false;
+  #coming = null; // the promise of the model that was asked for last
+  #shown = null; // the name of the model that is shown
   #initialValues = null; // as the property was given
   #resuming = null; // {model, values, camera}: what another attempt goes on with
   #input = null;
@@ -77,9 +92,7 @@ export class DimlineEditor extends Base {
   constructor() {
     super();
     this.#root = this.attachShadow({ mode: "open" });
-    const sheet = new CSSStyleSheet();
-    sheet.replaceSync(kEditorCss);
-    this.#root.adoptedStyleSheets = [sheet];
+    this.#dress();
     this.#internals = this.attachInternals();
     this.#internals.role = "group";
   }
@@ -95,7 +108,8 @@ export class DimlineEditor extends Base {
     return this.getAttribute("model") ?? "";
   }
   set model(name) {
-    this.setAttribute("model", String(name));
+    if (name === null || name === undefined) this.removeAttribute("model");
+    else this.setAttribute("model", String(name));
   }
 
   /**
@@ -147,6 +161,7 @@ export class DimlineEditor extends Base {
 
   /** Resolves when fields, placement and animation have come to rest and that is drawn. */
   settled() {
+    if (this.#error) return Promise.reject(this.#error);
     const settled = this.#settling.join();
     this.#requestFrame();
     return settled;
@@ -218,11 +233,12 @@ export class DimlineEditor extends Base {
   }
 
   /**
-   * Handles a key that was pressed outside the element, for a page in which the editor is the main thing.
+   * Handles a key that was pressed outside the element, for a page in which the editor is the main thing. What is typed into the page's own fields is left alone,
+   * and while a handle is dragged so is all that would move the picture under the hand.
    * @returns {boolean} whether the key meant something; the event's default is prevented then
    */
   handleKey(event) {
-    if (!this.#core || event.defaultPrevented) return false;
+    if (!this.#core || event.defaultPrevented || (isTyped(event) && !this.contains(event.target))) return false;
     const escape = event.key === "Escape" && this.#overlay.giveUpTyping();
     const command = escape ? () => {} : commandOf(event, this, () => this.#peek(true));
     if (!command) return false;
@@ -308,6 +324,19 @@ export class DimlineEditor extends Base {
     }
   }
 
+  // Another document, as of a frame: style sheets, fonts and listeners belong to the one before.
+  adoptedCallback() {
+    this.#dispose();
+    this.#dress();
+  }
+
+  #dress() {
+    const { CSSStyleSheet: Sheet } = this.ownerDocument.defaultView ?? globalThis;
+    const sheet = new Sheet();
+    sheet.replaceSync(kEditorCss);
+    this.#root.adoptedStyleSheets = [sheet];
+  }
+
   disconnectedCallback() {
     // Moving the element within a document takes it out for a moment; only what stays out is disposed of.
     queueMicrotask(() => {
@@ -316,19 +345,20 @@ export class DimlineEditor extends Base {
   }
 
   attributeChangedCallback(name) {
+    if (name === "model") this.#resuming = null; // that was another one
     if (!this.#core || !this.#size) return; // #start() comes to it
-    if (name === "model") this.#loadModel();
-    else this.#act(() => this.#applyLanguage());
+    if (name === "model") this.#load(this.model);
+    if (name === "lang") this.#act(() => this.#applyLanguage());
   }
 
   async #start() {
     const listening = (this.#listening = new AbortController());
     this.#build(listening.signal);
-    const url = this.#coreAddress();
-    // Making a context can take long, and the core's files come in meanwhile.
-    const coming = createCore(url ? { url } : {});
     try {
-      const font = loadLabelFont();
+      const url = this.#coreAddress();
+      // Making a context can take long, and the core's files come in meanwhile.
+      const coming = createCore(url ? { url } : {});
+      const font = loadLabelFont(this.ownerDocument);
       const size = new CanvasSize(
         this.#parts.stage,
         this.#parts.canvas,
@@ -342,7 +372,7 @@ export class DimlineEditor extends Base {
         return;
       }
       this.#core = core;
-      core.attachContext(gl);
+      if (!gl.isContextLost()) core.attachContext(gl); // or else when it comes back
       await font;
       if (listening.signal.aborted) return;
       this.#size = size;
@@ -351,7 +381,8 @@ export class DimlineEditor extends Base {
       this.#showHidden();
       this.#showLines();
       window.addEventListener("languagechange", () => this.#guard(() => this.#applyLanguage()), listening);
-      if (this.model) await this.#loadModel();
+      this.#load(this.#resuming?.model ?? this.model);
+      for (let coming = null; coming !== this.#coming; await coming) coming = this.#coming;
       this.#drawNow();
       if (this.#core?.problem) throw new Error(this.#core.problem);
       if (!listening.signal.aborted) this.#ready.resolve();
@@ -364,7 +395,9 @@ export class DimlineEditor extends Base {
   #coreAddress() {
     const attempt = this.#attempt++;
     if (!this.coreUrl && attempt === 0) return null;
-    const url = new URL(this.coreUrl || "./build/dimline.js", this.coreUrl ? document.baseURI : import.meta.url);
+    const given = this.coreUrl;
+    if (given && !URL.canParse(given, document.baseURI)) throw new Error(`The attribute core-url is no address: "${given}".`);
+    const url = new URL(given || "./build/dimline.js", given ? document.baseURI : import.meta.url);
     if (attempt > 0) url.searchParams.set("attempt", attempt);
     return url;
   }
@@ -429,7 +462,7 @@ export class DimlineEditor extends Base {
     this.#parts = this.#input = this.#overlay = null;
     this.#peeking = false;
     this.#size = null;
-    this.#hasModel = false;
+    this.#shown = this.#coming = null;
     this.#error = null;
     const gone = new Error("The editor left the document.");
     this.#ready.reject(gone);
@@ -439,43 +472,50 @@ export class DimlineEditor extends Base {
 
   // A core that has lost its picture goes on where it was; after a fault nobody knows what that is worth.
   #restart() {
-    const core = this.#hasModel ? this.#core : null;
+    const core = this.#shown === null ? null : this.#core;
     const valuesOf = (parameters) => Object.fromEntries(parameters.map(({ name, value }) => [name, value]));
-    this.#resuming = core && { model: this.model, values: valuesOf(core.parameters()), camera: core.camera() };
+    this.#resuming = core && { model: this.#shown, values: valuesOf(core.parameters()), camera: core.camera() };
     this.#dispose();
     this.#start();
   }
 
   // --- Model ---
 
-  async #loadModel() {
-    const name = this.model;
+  // Without a name there is nothing to load, and what is shown stays.
+  #load(name) {
     this.#loading?.abort();
-    const { signal } = (this.#loading = new AbortController());
+    if (!name) return;
+    const loading = (this.#loading = new AbortController());
+    this.#coming = this.#loadModel(name, loading.signal).finally(() => {
+      if (this.#loading !== loading) return;
+      this.#loading = null;
+      this.#requestFrame(); // who waits until all is settled waits for this too
+    });
+  }
+
+  async #loadModel(name, signal) {
     await null; // who sets the model may go on to say what it begins with
     if (signal.aborted || !this.#core) return;
     try {
       if (isGltfUrl(name)) {
-        const scene = await this.#core.readGltf(name, fetchGltf(new URL(name, document.baseURI).href, signal));
+        const scene = await this.#core.readGltf(name, fetchGltf(addressOf(name), signal));
         if (signal.aborted || !this.#core) return;
         this.#core.setScene(scene);
       } else {
         this.#core.setModel(name);
       }
-      this.#hasModel = true;
+      this.#shown = name;
       this.#input.reset();
       this.#overlay.clear();
-      this.#parts.message.hide();
+      if (!this.#contextIsLost()) this.#parts.message.hide();
       this.#requestFrame();
       this.#begin();
     } catch (cause) {
       if (signal.aborted) return;
       const error = cause instanceof Error ? cause : new Error(`The model could not be loaded: ${cause}.`, { cause });
       if (error instanceof WebAssembly.RuntimeError) return this.#fail(error);
-      if (!this.#hasModel) this.#parts?.message.show("The model cannot be shown.", error.message);
-      this.dispatchEvent(
-        new ErrorEvent("error", { error, message: error.message, bubbles: true, composed: true, cancelable: true }),
-      );
+      if (this.#shown === null) this.#parts?.message.show("The model cannot be shown.", error.message);
+      this.#tellError(error);
     }
   }
 
@@ -483,7 +523,7 @@ export class DimlineEditor extends Base {
   #begin() {
     const resuming = this.#resuming;
     this.#resuming = null;
-    if (resuming?.model === this.model) {
+    if (resuming?.model === this.#shown) {
       this.#core.beginWith(resuming.values);
       this.#core.setCamera(resuming.camera);
       return;
@@ -523,20 +563,21 @@ export class DimlineEditor extends Base {
       const gl = this.#parts.canvas.getContext("webgl2");
       this.#size.apply(gl, (width, height, ratio) => this.#core.resize(width, height, ratio));
       const more = this.#core.frame(nowMs);
-      if (this.#hasModel) this.#parts.canvas.toggleAttribute("data-drawn", true);
+      if (this.#shown !== null) this.#parts.canvas.toggleAttribute("data-drawn", true);
       const rests = !more && this.#core.atRest;
       const events = this.#core.takeEvents();
       if (events.some((type) => type !== "camera-change")) this.#describe();
       this.#overlay.update(this.#core, this.#input, rests);
-      if (rests) this.#settling.resolve();
-      if (more || this.#settling.any) this.#requestFrame();
+      const isSettled = rests && !this.#loading;
+      if (isSettled) this.#settling.resolve();
+      if (more || (!rests && this.#settling.any)) this.#requestFrame();
       for (const type of events) this.dispatchEvent(new Event(type, { bubbles: true, composed: true }));
     });
   }
 
   #describe() {
     this.#overlay.describe(this.#core.parameters(), this.#core.measures(), this.#mark);
-    const title = this.#core.models().find((model) => model.name === this.model)?.title ?? this.model;
+    const title = this.#core.models().find((model) => model.name === this.#shown)?.title ?? this.#shown;
     this.#internals.ariaLabel = `${title}, with dimension lines`;
   }
 
@@ -552,7 +593,7 @@ export class DimlineEditor extends Base {
     const shown = this.#peeking || this.#hiddenShown;
     if (!this.#core || this.#core.hiddenShown === shown) return;
     this.#act((core) => {
-      if (shown && this.#hasModel) this.#sayWhatIsHidden(core.layout().hidden);
+      if (shown && this.#shown !== null) this.#sayWhatIsHidden(core.layout().hidden);
       core.hiddenShown = shown;
     });
   }
@@ -573,13 +614,17 @@ export class DimlineEditor extends Base {
   }
 
   #applyLanguage() {
-    this.#mark = decimalMark(this.lang ? [this.lang] : navigator.languages);
+    this.#mark = decimalMark([...(this.lang ? [this.lang] : []), ...navigator.languages]);
     this.#core.setNumberFormat({ decimal: this.#mark });
-    if (this.#hasModel) this.#describe();
+    if (this.#shown !== null) this.#describe();
     this.#requestFrame();
   }
 
   // --- Context ---
+
+  #contextIsLost() {
+    return this.#parts.canvas.getContext("webgl2")?.isContextLost() ?? false;
+  }
 
   #contextRestored() {
     this.#guard(() => {
@@ -592,6 +637,7 @@ export class DimlineEditor extends Base {
   // --- Errors ---
 
   #need() {
+    if (this.#error) throw this.#error;
     if (!this.#core) throw new Error("The editor is not ready: wait for its promise `ready` first.");
     return this.#core;
   }
@@ -642,7 +688,11 @@ export class DimlineEditor extends Base {
     } else {
       this.#parts.message.show("The editor cannot be shown.", error.message, true);
     }
-    this.dispatchEvent(new ErrorEvent("error", { error, message: error.message, bubbles: true, composed: true }));
+    this.#tellError(error);
+  }
+
+  #tellError(error) {
+    this.dispatchEvent(new ErrorEvent("error", { error, message: error.message }));
   }
 }
 

@@ -10,6 +10,9 @@ const kViewKeys = { 0: "three-quarter", 1: "front", 3: "right", 7: "top" };
  */
 export function commandOf(event, editor, peek) {
   if (event.altKey) return null;
+  // What moves the picture or the lines under a hand that drags waits until it lets go; undo takes the drag back.
+  const dragging = editor.gestures.length > 0;
+  if (dragging && !(event.ctrlKey || event.metaKey)) return plainKeyOf(event, editor, peek) ? () => {} : null;
   return event.ctrlKey || event.metaKey ? chordOf(event, editor) : plainKeyOf(event, editor, peek);
 }
 

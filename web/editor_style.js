@@ -20,6 +20,7 @@ export const kEditorCss = `
   position: absolute;
   inset: 0;
   overflow: hidden;
+  direction: ltr; /* a drawing's numbers and units, on a page in any script */
   touch-action: none;
   -webkit-tap-highlight-color: transparent;
   -webkit-touch-callout: none;
@@ -144,6 +145,13 @@ canvas[data-ring] + .ring { opacity: 1; }
 }
 .pill[aria-pressed="true"] .track { background: var(--dimline-handle); }
 .pill[aria-pressed="true"] .track::before { transform: translateX(10px); }
+/* Where the visitor's own few colours stand for all, on and off need two of them. */
+@media (forced-colors: active) {
+  .pill .track { forced-color-adjust: none; background: ButtonBorder; }
+  .pill .track::before { background: Canvas; }
+  .pill[aria-pressed="true"] .track { background: Highlight; }
+  .pill[aria-pressed="true"] .track::before { background: HighlightText; }
+}
 .pill .chevron, .option .tick {
   flex: none;
   width: 16px;

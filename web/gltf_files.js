@@ -1,8 +1,14 @@
 /** Fetches what a glTF document consists of: the file itself and, for a .gltf, the buffers and pictures that it names. */
 
-/** Whether a model's name is the address of a glTF file rather than the name of a built-in model. */
+/** Whether a model's name is the address of a glTF file rather than the name of a built-in model; what a visitor picked has one that begins with blob: or data:. */
 export function isGltfUrl(name) {
-  return /\.(gltf|glb)$/i.test(name.split(/[?#]/, 1)[0]);
+  return /^(blob|data):/i.test(name) || /\.(gltf|glb)$/i.test(name.split(/[?#]/, 1)[0]);
+}
+
+/** The addresses of other files in a list of a document, each once. */
+function urisOf(entries) {
+  const uris = Array.isArray(entries) ? entries.map((entry) => entry?.uri) : [];
+  return [...new Set(uris.filter((uri) => typeof uri === "string" && !uri.startsWith("data:")))];
 }
 
 async function fetchBytes(url, signal) {
@@ -39,12 +45,16 @@ export async function fetchGltf(url, signal) {
   } catch (cause) {
     throw new Error(`${url} is neither a .glb nor the JSON of a .gltf: ${cause.message}.`, { cause });
   }
-  const named = [...(document?.buffers ?? []), ...(document?.images ?? [])].map((entry) => entry?.uri);
-  const uris = new Set(named.filter((uri) => typeof uri === "string" && !uri.startsWith("data:")));
-  await Promise.all(
-    [...uris].map(async (uri) => {
-      files[uri] = await fetchBytes(new URL(uri, url).href, signal);
-    }),
-  );
+  const fetchAs = async (uri) => {
+    if (!URL.canParse(uri, url)) throw new Error(`${url} names a file "${uri}", which is no address beside it.`);
+    files[uri] = await fetchBytes(new URL(uri, url).href, signal);
+  };
+  // A picture that is missing costs the picture; without a buffer there is no model.
+  const fetchIfThere = (uri) =>
+    fetchAs(uri).catch((error) => {
+      if (signal?.aborted) throw error;
+      console.warn(`${url} is shown without a picture. ${error.message}`);
+    });
+  await Promise.all([...urisOf(document?.buffers).map(fetchAs), ...urisOf(document?.images).map(fetchIfThere)]);
   return { bytes, files };
 }

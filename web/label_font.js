@@ -3,10 +3,10 @@
 const kFamily = "Dimline Label";
 const kUrl = new URL("./assets/fonts/barlow-500.woff2", import.meta.url).href;
 
-/** Adds it to the document, because a shadow tree's own @font-face rules count for nothing. Without it, labels show in another font. */
-export async function loadLabelFont() {
+/** Adds it to a document, because a shadow tree's own @font-face rules count for nothing. Without it, labels show in another font. */
+export async function loadLabelFont(document) {
   const known = [...document.fonts].find((face) => face.family.replaceAll('"', "") === kFamily);
-  const face = known ?? new FontFace(kFamily, `url("${kUrl}") format("woff2")`, { weight: "500" });
+  const face = known ?? new (document.defaultView?.FontFace ?? FontFace)(kFamily, `url("${kUrl}") format("woff2")`, { weight: "500" });
   if (!known) document.fonts.add(face);
   try {
     await face.load();

@@ -10,7 +10,7 @@ import { LabelLayer } from "./label_layer.js";
 import { stepped } from "./numbers.js";
 import { PillLayer } from "./pill_layer.js";
 import { Readout } from "./readout.js";
-import { limitSentence } from "./spoken.js";
+import { kNothingInView, limitSentence } from "./spoken.js";
 import { arrange, readingOrder } from "./tab_order.js";
 import { ValueField } from "./value_field.js";
 
@@ -30,6 +30,7 @@ export class Overlay {
   #field;
   #parameters = [];
   #measures = [];
+  #empty = false; // nothing is shown that could be taken hold of
   #hover = { name: null, cursor: "" }; // the cursor over the handle that the mouse rests on
   #saidOf = null; // the name of the parameter that the last sentence was about
   #byKeys = false; // the keyboard was used last, and what has its focus is marked as if the mouse were there
@@ -62,6 +63,8 @@ export class Overlay {
     this.#labels = new LabelLayer(this.#handles, handleHost, signal);
     this.#pills = new PillLayer(this.#handles, handleHost, signal);
     this.#readout = new Readout(stage);
+    // What was said was about what was done before.
+    stage.addEventListener("pointerdown", () => this.#silence(), { signal, capture: true });
     this.#dragReadouts = new DragReadouts(stage);
     this.#field = new ValueField(stage, this.#fieldHost(), signal);
   }
@@ -115,7 +118,16 @@ export class Overlay {
     this.#readout.update(dragged || this.#field.complains ? "" : name, input.last, focused && (this.#field.box ?? focused.box), cost);
     // Where the Tab key goes is a matter of the picture at rest: nothing changes places under a finger.
     if (!rests || input.active) return;
+    this.#sayIfEmpty(core, labels.length + pills.length);
     arrange(this.#handles, readingOrder([...this.#labels.stops(), ...this.#pills.stops()]));
+  }
+
+  // Once, when the picture comes to rest with nothing to take hold of.
+  #sayIfEmpty(core, count) {
+    const isEmpty = () => core.layout().lines.length + core.layout().others.length === 0;
+    const empty = count === 0 && this.#parameters.length > 0 && core.linesShown && isEmpty();
+    if (empty && !this.#empty) this.say(null, kNothingInView);
+    this.#empty = empty;
   }
 
   /** The mouse is in use: what it points at shall be marked, and not what has the focus; false for the line whose value is being typed, which stays marked. */
@@ -249,6 +261,7 @@ export class Overlay {
   // What is beyond the range becomes its end, and that is said.
   #accept(core, { name, title, min, max }, text) {
     const value = core.parseValue(name, text);
+    this.#silence();
     core.setParameters({ [name]: value });
     if (value > max || value < min) {
       this.say(name, limitSentence(title, value > max, core.inputText(name)));
@@ -262,6 +275,11 @@ export class Overlay {
     });
   }
 
+  #silence() {
+    this.#readout.silence();
+    this.#host.changed();
+  }
+
   /** Tells screen readers a sentence. */
   announce(sentence) {
     this.#live.textContent = sentence;
@@ -273,6 +291,7 @@ export class Overlay {
     const middle = [this.#stage.offsetWidth / 2, this.#stage.offsetHeight / 2];
     this.#saidOf = name;
     const lastsMs = this.#readout.say(sentence, this.#labels.boxOf(name) ?? [...middle, ...middle]);
+    this.#host.changed();
     setTimeout(this.#host.changed, lastsMs + 50);
   }
 }

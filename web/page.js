@@ -1,5 +1,6 @@
 import { modelOf, valuesOf, withModel, withValues } from "./address.js";
 import "./dimline_editor.js";
+import { isGltfUrl } from "./gltf_files.js";
 import { ModelPicker } from "./model_picker.js";
 import { stepped } from "./numbers.js";
 import { Panel } from "./panel.js";
@@ -158,23 +159,31 @@ function addressedValues(parameters) {
 editor.initialValues = addressedValues;
 
 function recall() {
+  say(""); // it was about the address before
   const parameters = editor.getParameters();
   attempt(() => editor.setParameters({ ...panel.defaults(parameters), ...addressedValues(parameters) }));
   remember();
+}
+
+// A visitor knows models by the names in the menu, not by those in addresses.
+function sentenceFor(model, error) {
+  const isBuiltIn = editor.getModels().some(({ name }) => name === model);
+  return isBuiltIn || isGltfUrl(model) ? error.message : `There is no model “${model}”. Those that there are stand in the menu at the top left.`;
 }
 
 // The editor itself tells why it cannot go on; the page tells why a document could not be loaded while another is shown.
 function showFailure(error) {
   if (panelNode.dataset.state !== "ready" && !editor.error && editor.model !== firstModel) {
     // The address names a model that there is not.
+    const wanted = editor.model;
     history.replaceState(null, "", location.pathname);
     editor.model = firstModel;
-    say(error.message);
+    say(sentenceFor(wanted, error));
     return;
   }
   if (panelNode.dataset.state !== "ready") panelNode.dataset.state = "failed";
   else if (!editor.error) {
-    say(error.message);
+    say(sentenceFor(editor.model, error));
     refusedModel = editor.model;
     history.replaceState(null, "", withModel(location.href, shownModel));
     remember();
@@ -278,11 +287,7 @@ narrow.addEventListener("change", () => {
 
 // The editor's keys work wherever the focus is, except where keys mean text or a value.
 document.addEventListener("keydown", (event) => {
-  const target = event.target;
-  const typing =
-    target instanceof HTMLElement &&
-    target.matches("input:not([type=range], [type=checkbox], [type=radio]), select, textarea");
-  if (typing || target === editor) return;
+  if (event.target === editor) return;
   attempt(() => editor.handleKey(event) && showMore());
 });
 editor.addEventListener("keydown", showMore);

@@ -271,7 +271,9 @@ export class PointerInput {
     }
   }
 
+  // What goes sideways is the page's: it scrolls, or goes back in its history.
   #wheel(event) {
+    if (Math.abs(event.deltaX) > Math.abs(event.deltaY)) return;
     event.preventDefault();
     const unit = event.deltaMode === 1 ? kWheelLinePx : event.deltaMode === 2 ? this.#stage.offsetHeight : 1;
     this.#host.guard(() => {

@@ -32,5 +32,8 @@ export function hiddenSentence(count) {
   return count === 1 ? "1 hidden line is shown." : `${count} hidden lines are shown.`;
 }
 
+/** That a view, as of a flat front from behind, shows nothing whose size could be told. */
+export const kNothingInView = "From here no size can be shown. Turn the model.";
+
 /** That a value is at its limit: "Width is at most 15.00 m." */
 export const limitSentence = (title, most, text) => `${title} is ${most ? "at most" : "at least"} ${text}.`;

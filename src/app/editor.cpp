@@ -224,6 +224,7 @@ void Editor::resize(double widthPx, double heightPx, double devicePixelRatio) {
   s.viewStale = true;
   s.pictureStale = true;
   if (s.cameraUntouched && s.loaded && !s.handleGesture) s.openingCamera();
+  if (s.fitDue && s.hasSize()) fitToView();
 }
 
 const Camera& Editor::camera() const { return state_->camera; }
@@ -244,6 +245,7 @@ void Editor::fitToView() {
   const Camera camera = uncentred(View(s.camera, width, height, s.scene.bounds), s.scene.bounds);
   s.moveCamera(dimline::fitToView(camera, s.scene.bounds, width, height));
   s.compositionDue = true;
+  s.fitDue = !s.hasSize();
 }
 
 void Editor::setStandardView(StandardView view) {
@@ -255,6 +257,7 @@ void Editor::setStandardView(StandardView view) {
   camera.eye = camera.target + directionOf(view);
   s.moveCamera(dimline::fitToView(camera, s.scene.bounds, std::max(s.widthPx, 1.0), std::max(s.heightPx, 1.0)));
   s.compositionDue = true;
+  s.fitDue = !s.hasSize();
 }
 
 void Editor::setOrthographic(bool orthographic) {
@@ -272,6 +275,7 @@ void Editor::State::moveCamera(const Camera& next) {
   if (!validate(next)) return;
   cameraUntouched = false;
   compositionDue = false;
+  fitDue = false;
   if (next == camera) return;  // or two hosts that follow each other would do so for ever
   if (handleGesture) endHandleGesture();  // a drag is measured by the camera with which it began
   camera = next;

@@ -319,6 +319,20 @@ test("a camera inside the house gives a picture and a layout", async () => {
   await close();
 });
 
+test("a view in which no size can be shown says so, once", async () => {
+  const { page, close } = await openPage(browser, { drawn: false, path: "?model=facade" });
+  await call(page, "setView", "top");
+  await settle(page);
+  const layout = await call(page, "layout");
+  assert.equal(layout.lines.length + layout.others.length, 0);
+  const said = page.locator("dimline-editor").locator(".readout[data-shown]");
+  assert.equal(await said.textContent(), "From here no size can be shown. Turn the model.");
+  await call(page, "setView", "three-quarter");
+  await settle(page);
+  assert.ok((await call(page, "layout")).lines.length > 0);
+  await close();
+});
+
 test("people who asked for less motion get none: labels are there at once, and do not fade in", async () => {
   // In how many frames a label is to be seen through, until all has come to rest.
   const fadingFrames = async (reducedMotion) => {

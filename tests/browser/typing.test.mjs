@@ -149,6 +149,29 @@ test("a value beyond the range becomes its end, and the picture says so", async 
   assert.ok(await inside(page, ".readout[data-shown]").isVisible());
 });
 
+test("what was said of one value goes with the next press and the next value", async () => {
+  const { min, max } = (await call(page, "getParameters")).find((p) => p.name === "Width");
+  const readout = inside(page, ".readout[data-shown]");
+  const type = async (text) => {
+    await page.keyboard.type(text);
+    await page.keyboard.press("Enter");
+    await settle(page);
+  };
+  await clickLabel("Width");
+  await type("1000");
+  assert.match(await readout.textContent(), new RegExp(`at most ${max}`));
+  await clickLabel("Width");
+  const texts = async () => (await readout.allTextContents()).join();
+  assert.doesNotMatch(await texts(), /at most/, "it is there while the next value is typed");
+  await type("0.1");
+  assert.match(await readout.textContent(), new RegExp(`at least ${min}`));
+  await page.keyboard.type("9");   // a digit begins a number
+  await page.keyboard.press("Enter");
+  await settle(page);
+  assert.equal(await valueOf(page, "Width"), 9);
+  assert.doesNotMatch(await texts(), /at least/, "it is there when the next value is taken");
+});
+
 test("a click elsewhere takes the value", async () => {
   await clickLabel("Width");
   await page.keyboard.type("10.5");

@@ -4,7 +4,7 @@
 
 #include "app/editor_stage.h"
 
-// A drag is measured by the camera and in the viewport with which it began, and either may change under it.
+// The camera and the viewport as hosts change them, also while a handle is dragged: a drag is measured by those with which it began.
 
 using namespace dimline;
 using namespace dimline::test;
@@ -80,6 +80,22 @@ TEST_CASE("a camera that is set to what it is changes nothing and is told to nob
   CHECK(stage.editor.takeEvents().empty());
   CHECK(stage.editor.gestures().size() == 1);
   stage.up(at);
+}
+
+TEST_CASE("a model that is to fill a picture without a size fills it when it has one") {
+  EditorStage shown, hidden;
+  for (EditorStage* stage : {&shown, &hidden}) (void)stage->editor.setCamera(orthoFront());
+  hidden.editor.resize(0, 0, 1);
+  for (EditorStage* stage : {&shown, &hidden}) stage->editor.setStandardView(StandardView::kTop);
+  hidden.editor.resize(1000, 1000, 1);
+  shown.settle();
+  hidden.settle();
+  CHECK(glm::length(hidden.editor.camera().eye - shown.editor.camera().eye) < 1e-6);
+  // Only that once: the camera is somebody's choice by now.
+  (void)hidden.editor.setCamera(orthoFront());
+  hidden.editor.resize(0, 0, 1);
+  hidden.editor.resize(800, 900, 1);
+  CHECK(hidden.editor.camera() == orthoFront());
 }
 
 TEST_CASE("events that nobody takes do not pile up") {
