@@ -168,7 +168,7 @@ function recall() {
 // A visitor knows models by the names in the menu, not by those in addresses.
 function sentenceFor(model, error) {
   const isBuiltIn = editor.getModels().some(({ name }) => name === model);
-  return isBuiltIn || isGltfUrl(model) ? error.message : `There is no model “${model}”. Those that there are stand in the menu at the top left.`;
+  return isBuiltIn || isGltfUrl(model) ? error.message : `There is no model “${model}”. The menu at the top left lists all models.`;
 }
 
 // The editor itself tells why it cannot go on; the page tells why a document could not be loaded while another is shown.

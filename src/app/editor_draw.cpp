@@ -79,14 +79,14 @@ void Editor::State::buildOverlayLines() {
     add(drawn.lines[i], lineStates[i].opacity, lineStates[i], handleScales[i]);
 }
 
-/// Arcs, and the leaders of switches and choices, which are themselves the host's to show.
+/// Arcs, and the threads of switches and choices, which are themselves the host's to show.
 void Editor::State::buildOverlayHandles() {
   overlayArcs.clear();
-  overlayLeaders.clear();
+  overlayThreads.clear();
   std::size_t arcs = 0;
   const auto add = [&](const PlacedHandle& handle, double opacity, const LineState& state, float handleScale) {
     if (!handle.arc) {
-      overlayLeaders.push_back({handle.anchor, handle.box, static_cast<float>(opacity)});
+      overlayThreads.push_back({handle.anchor, handle.box, static_cast<float>(opacity)});
       return;
     }
     if (arcs == arcPoints.size()) arcPoints.emplace_back();
@@ -196,7 +196,7 @@ void Editor::State::draw(const View& view) {
   options.quality = wanted;
   // A software rasterizer takes longer for fine light than people pause between two changes, and hardly anybody sees the difference.
   if (renderer->context().software()) options.light = LightDetail::kCoarse;
-  const Overlay overlay{overlayLines, overlayArcs, overlayLeaders, dragMarks, overlayEdges};
+  const Overlay overlay{overlayLines, overlayArcs, overlayThreads, dragMarks, overlayEdges};
   // A picture that cannot be drawn now will not be drawable in the next frame either: no reason to ask for one.
   const Status status = renderer->draw(view, overlay, options);
   problem = status ? std::string() : status.error().message;

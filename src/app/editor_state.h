@@ -117,7 +117,7 @@ struct Editor::State {
   std::string problem;
   std::vector<OverlayLine> overlayLines;
   std::vector<OverlayArc> overlayArcs;
-  std::vector<OverlayLeader> overlayLeaders;
+  std::vector<OverlayThread> overlayThreads;
   std::vector<std::vector<Vec2>> arcPoints;  ///< what overlayArcs point to
   std::vector<DragMark> dragMarks;
   bool marksToLearn = false;  ///< some ticks of a drag are still to be found out

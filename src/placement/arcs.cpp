@@ -42,6 +42,18 @@ Box2 arcLabel(const Arc& arc, const Vec2& size, const View& view, double share) 
   return Box2::around(middle + direction * (reach + kLabelPaddingPx * 2), size);
 }
 
+/// The text at the first of those places that lies in the picture or, if there is none, moved in from the picture's edge.
+Box2 labelInPicture(const Arc& arc, const Vec2& size, const View& view) {
+  for (const double share : kLabelShares) {
+    const Box2 label = arcLabel(arc, size, view, share);
+    if (onScreen(label, view)) return label;
+  }
+  const Box2 usual = arcLabel(arc, size, view, kLabelShares.front());
+  const Box2 allowed = view.viewport().grown(-kViewportMarginPx);
+  const Vec2 half = 0.5 * size;
+  return Box2::around(glm::max(glm::min(usual.center(), allowed.max - half), allowed.min + half), size);
+}
+
 /// Moves an arc along its plane until arc, arms and label clear the padded fields, in steps of a few pixels. False when none of them does in the viewport.
 bool slideArc(Arc& arc, const Vec3& outward, const Vec2& labelSize, const OtherHandleContext& context) {
   const double stepM = context.view.metresPerPixelAt(arc.center) * kArcStepPx;
@@ -100,14 +112,13 @@ std::optional<HiddenReason> placeArc(const OtherHandle& handle, const OtherHandl
       // Both ends of the arms count, since the hand takes one of them; and what the arc says.
       const Vec2 center = context.view.toScreen(arc.center);
       if (!onScreen(Box2{center, center}, context.view) || !onScreen(Box2{points[kArcSamples], points[kArcSamples]}, context.view)) return;
-      const auto label = [&](double share) { return arcLabel(arc, labelSize, context.view, share); };
-      const auto share = std::ranges::find_if(kLabelShares, [&](double among) { return onScreen(label(among), context.view); });
-      if (share == kLabelShares.end()) return;
+      const Box2 label = labelInPicture(arc, labelSize, context.view);
+      if (!onScreen(label, context.view)) return;
       found = true;
       bestScore = offerScore;
       placed.scope = scope;
       placed.anchor = context.view.toScreen(home.center);
-      placed.box = label(*share);
+      placed.box = label;
       placed.placement = placement;
       placed.arc = arc;
       placed.handles.clear();

@@ -114,7 +114,6 @@ void keep(const CandidateContext& context, const UsableBaseLine& base, Candidate
                            .candidate = candidate.lineScreen,
                            .align = context.annotation.align,
                            .sameAsLastFrame = candidate.identity == context.history.last(),
-                           .intersects = false,
                            .planeKind = candidate.plane.kind,
                            .facing = candidate.plane.facing}) +
                     candidate.hysteresis;

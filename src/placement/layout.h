@@ -113,7 +113,7 @@ struct PlacedHandle {
   PlacementKind placement = PlacementKind::kInside;
   double value = 0;
   std::string text;
-  Vec2 anchor{0.0};                ///< px, the point of the feature that the handle belongs to; a leader line runs from there to the handle when it is outside
+  Vec2 anchor{0.0};                ///< px, the point of the feature that the handle belongs to; a thread runs from there to the handle when it is outside
   Box2 box;                        ///< px, all that it covers; of an arc its label's box
   std::optional<Arc> arc;          ///< of an angular handle
   std::vector<Handle> handles;     ///< what can be taken hold of

@@ -37,7 +37,7 @@ double score(const ScoreInput& in) {
   const Vec2 offset = in.candidate.middle() - in.base.middle();
   return kScoreDistance * glm::length(offset) + kScoreLength * in.candidate.length() +
          kScoreAlign * alignTerm(offset, in.align) + kScoreDamp * (in.sameAsLastFrame ? 1.0 : 0.0) +
-         kScoreIntersect * (in.intersects ? 1.0 : 0.0) + kScorePlane * planeTerm(in.planeKind, in.facing);
+         kScorePlane * planeTerm(in.planeKind, in.facing);
 }
 
 double scoreInside(const Segment2& base, const Vec2& scopeMiddle, Align align) {

@@ -11,14 +11,14 @@ struct ScoreInput {
   Segment2 candidate;                     ///< px
   Align align = Align::kNone;
   bool sameAsLastFrame = false;
-  bool intersects = false;                ///< the line or its extension lines cross what has been placed
   PlaneKind planeKind = PlaneKind::kNone;
   Facing facing = Facing::kNone;
 };
 
-/// The paper's S = sum of lambda_i times its six terms, in px; the greater, the better. Each term is what the paper says:
+/// The paper's S = sum of lambda_i times its terms, in px; the greater, the better. Each term is what the paper says:
 /// Dist, middle to middle; LenCandidate, on screen; SSAlign, the cosine between the extension lines' direction and the preferred one, 0 without a
-/// preference; Damp, 1 for the last frame's choice; Intersect; Plane, 0 for none and billboard, 0.5 facing away, 1 facing the viewer.
+/// preference; Damp, 1 for the last frame's choice; Plane, 0 for none and billboard, 0.5 facing away, 1 facing the viewer. The sixth, Intersect, is dear to
+/// find out: Trial::amongOthers() adds it where the others leave a candidate in question.
 double score(const ScoreInput& input);
 
 /// The score of a base line that stands in for a candidate (algorithm 1, line 9): only length and alignment count, and the direction is that

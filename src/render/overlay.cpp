@@ -34,7 +34,7 @@ constexpr double kStrokeInset = 0.7;
 constexpr double kHighlightRadius = 0.55;
 constexpr double kHighlightOffset = 0.28;
 constexpr float kHighlightOpacity = 0.45F;
-/// px. Radius of the dot with which a leader begins.
+/// px. Radius of the dot with which a thread begins.
 constexpr double kAnchorRadiusPx = 2.5;
 /// A drag's marks are quieter than the line they stand beside: widths (px) and opacities.
 constexpr double kTickWidthPx = 1.0;
@@ -267,8 +267,8 @@ bool drawable(const OverlayLine& line) {
 bool drawable(const OverlayArc& arc) {
   return arc.opacity > 0.0F && arc.points.size() > 1 && finite(arc.center) && std::isfinite(lengthOf(arc.points));
 }
-bool drawable(const OverlayLeader& leader) {
-  return leader.opacity > 0.0F && finite(leader.anchor) && finite(leader.box.min) && finite(leader.box.max);
+bool drawable(const OverlayThread& thread) {
+  return thread.opacity > 0.0F && finite(thread.anchor) && finite(thread.box.min) && finite(thread.box.max);
 }
 
 // --- What draws the layers, from the lowest to the highest ---
@@ -282,9 +282,9 @@ void eachLeg(const OverlayArc& arc, Emit emit) {
 }
 
 /// From the anchor's dot to the box; nothing when the anchor lies in the box.
-std::optional<Segment2> threadOf(const OverlayLeader& leader) {
-  const Segment2 whole{leader.anchor, leader.box.center()};
-  const auto [enter, leave] = stretchInside(whole, leader.box);
+std::optional<Segment2> segmentOf(const OverlayThread& thread) {
+  const Segment2 whole{thread.anchor, thread.box.center()};
+  const auto [enter, leave] = stretchInside(whole, thread.box);
   if (enter <= 0.0 || enter >= leave) return std::nullopt;
   return Segment2{whole.start, whole.start + (whole.end - whole.start) * enter};
 }
@@ -314,14 +314,14 @@ void addHairs(const Overlay& overlay, bool halos, const Theme& theme, ShapeList&
   for (const OverlayArc& arc : overlay.arcs) {
     if (drawable(arc)) eachLeg(arc, [&](const Segment2& piece) { addHair(piece, arc.opacity, {}, halos, theme, list); });
   }
-  for (const OverlayLeader& leader : overlay.leaders) {
-    const auto thread = drawable(leader) ? threadOf(leader) : std::nullopt;
-    if (!thread) continue;
-    addHair(*thread, leader.opacity, {}, halos, theme, list);
+  for (const OverlayThread& thread : overlay.threads) {
+    const auto segment = drawable(thread) ? segmentOf(thread) : std::nullopt;
+    if (!segment) continue;
+    addHair(*segment, thread.opacity, {}, halos, theme, list);
     if (halos) {
-      list.disc(leader.anchor, kAnchorRadiusPx + kHaloReachPx, kHaloSoftnessPx, pack(theme.halo, leader.opacity));
+      list.disc(thread.anchor, kAnchorRadiusPx + kHaloReachPx, kHaloSoftnessPx, pack(theme.halo, thread.opacity));
     } else {
-      list.disc(leader.anchor, kAnchorRadiusPx, 0.0, pack(theme.line, leader.opacity));
+      list.disc(thread.anchor, kAnchorRadiusPx, 0.0, pack(theme.line, thread.opacity));
     }
   }
 }

@@ -66,7 +66,7 @@ struct OverlayArc {
 };
 
 /// The thread that ties a switch or a choice to the feature it belongs to: from a dot there to the edge of its box.
-struct OverlayLeader {
+struct OverlayThread {
   Vec2 anchor{0.0};
   Box2 box;
   float opacity = 1.0F;
@@ -84,7 +84,7 @@ struct OverlayEdge {
 struct Overlay {
   std::span<const OverlayLine> lines{};
   std::span<const OverlayArc> arcs{};
-  std::span<const OverlayLeader> leaders{};
+  std::span<const OverlayThread> threads{};
   std::span<const DragMark> marks{};
   std::span<const OverlayEdge> edges{};
 };
@@ -113,7 +113,7 @@ struct OverlayShape {
   std::uint32_t rgba = 0;        ///< sRGB, red in the lowest byte, opacity not multiplied in
 };
 
-/// Turns an overlay into shapes, in drawing order: edges of scopes, all halos, then extension lines, legs and leaders, then a drag's marks, then lines, arcs and their ends. Replaces the contents of
+/// Turns an overlay into shapes, in drawing order: edges of scopes, all halos, then extension lines, legs and threads, then a drag's marks, then lines, arcs and their ends. Replaces the contents of
 /// `shapes`; allocates only when it grows. What is invisible or not finite is left out.
 void buildOverlay(const Overlay& overlay, const Theme& theme, std::vector<OverlayShape>& shapes);
 

@@ -189,8 +189,4 @@ bool clears(const DistanceFields& fields, ViewportEdge edge, const Segment2& seg
   return SegmentTest(fields[edge], seenFrom(edge, fields, segment.start), seenFrom(edge, fields, segment.end)).clear();
 }
 
-bool clears(const DistanceFields& fields, const Segment2& segment) {
-  return std::ranges::any_of(kViewportEdges, [&](ViewportEdge edge) { return clears(fields, edge, segment); });
-}
-
 }  // namespace dimline

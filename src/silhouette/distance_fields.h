@@ -46,15 +46,6 @@ public:
   void buildTree();
   void mendTree(std::size_t first, std::size_t last);
 
-  /// Pulls the strips [first, last] in to at most value(i), where `value` gives a strip's distance, and mends the
-  /// tree above them.
-  template <typename ValueOfStrip>
-  void pullIn(std::size_t first, std::size_t last, ValueOfStrip value) {
-    for (std::size_t i = first; i <= last && i < size_; ++i)
-      values_[i] = std::min(values_[i], static_cast<float>(value(i)));
-    mendTree(first, last);
-  }
-
   /// Least and greatest value over the strips [first, last], both included and inside the field.
   [[nodiscard]] float min(std::size_t first, std::size_t last) const;
   [[nodiscard]] float max(std::size_t first, std::size_t last) const;
@@ -113,8 +104,5 @@ bool clears(const DistanceFields& fields, const Box2& box);
 
 /// Whether a segment on screen lies in the viewport and between that edge and its field all along.
 bool clears(const DistanceFields& fields, ViewportEdge edge, const Segment2& segment);
-
-/// The same for some edge.
-bool clears(const DistanceFields& fields, const Segment2& segment);
 
 }  // namespace dimline

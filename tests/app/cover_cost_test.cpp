@@ -49,7 +49,7 @@ TEST_CASE("a box hides of numbers and pills their area, of strokes their length,
   CHECK(cost({80, 40}, {120, 50}) == Approx(model));   // of what is beside the model nothing
 }
 
-TEST_CASE("arrowheads, extension lines and leaders count where they are") {
+TEST_CASE("arrowheads, extension lines and threads count where they are") {
   Layout layout = emptyLayout();
   PlacedLine line;
   line.lineScreen = {{20, 20}, {20, 80}};
@@ -69,7 +69,7 @@ TEST_CASE("arrowheads, extension lines and leaders count where they are") {
   CHECK(cost({40, 75}, {60, 85}) > 0);
   CHECK(cost({160, 50}, {180, 60}) > 0);
   CHECK(cost({100, 50}, {140, 60}) == 0);
-  layout.others[0].anchor = {170, 20};   // under the pill: then no leader is drawn
+  layout.others[0].anchor = {170, 20};   // under the pill: then no thread is drawn
   CHECK(cost({160, 50}, {180, 60}) == 0);
 }
 

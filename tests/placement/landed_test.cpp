@@ -76,6 +76,21 @@ TEST_CASE("neighbours in a chain land the extension line between them once, and 
   CHECK(landed.clearsExtensions({{195, 60}, {205, 70}}));
 }
 
+TEST_CASE("a line on a guide has room that keeps 30 px from lines of other guides, crosses no extension line and keeps off labels") {
+  Landed landed = withShortLine();   // at y = 40, from x = 100 to 200
+  CHECK_FALSE(landed.hasRoom({{120, 40 + kHandleSpacingPx - 0.5}, {180, 40 + kHandleSpacingPx - 0.5}}, kGuide + 1));
+  CHECK(landed.hasRoom({{120, 40 + kHandleSpacingPx + 0.5}, {180, 40 + kHandleSpacingPx + 0.5}}, kGuide + 1));
+  CHECK(landed.hasRoom({{200, 40}, {260, 40}}, kGuide));         // its neighbour on the same guide
+  CHECK_FALSE(landed.hasRoom({{200, 40}, {260, 40}}, kGuide + 1));
+  const Segment2 far{{400, 100}, {500, 100}};
+  CHECK(landed.hasRoom(far, kGuide));
+  Landed labelled = landed;
+  labelled.addLabel({{440, 100 + kLabelClearancePx - 0.5}, {460, 130}});
+  CHECK_FALSE(labelled.hasRoom(far, kGuide));
+  landed.add({{450, 200}, {600, 200}}, {{450, 200}, {600, 200}}, {{450, 20}, {600, 20}});   // whose extension line runs up at x = 450
+  CHECK_FALSE(landed.hasRoom(far, kGuide));
+}
+
 TEST_CASE("what was added after a mark is taken back") {
   Landed landed = withShortLine();
   const Landed::Mark mark = landed.mark();

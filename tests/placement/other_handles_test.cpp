@@ -382,7 +382,7 @@ TEST_CASE("an angular handle with slip none stays in its scope's frame, another 
   CHECK(clears(stage.padded, placed.box));
 }
 
-TEST_CASE("an arc whose end or text would leave the picture is not shown, and its text moves along it to stay") {
+TEST_CASE("an arc whose end would leave the picture is not shown, and its text moves to stay in it") {
   FrontOfBox stage;
   const Parameter pitch{.name = "Pitch", .type = ParameterType::kAngle, .unit = Unit::kDegree, .defaultValue = 40, .min = 0, .max = 90};
   History history(0);

@@ -39,12 +39,6 @@ TEST_CASE("Damp rewards the last frame's choice") {
   CHECK(score(in) == Approx(-38.2 + 15.0));
 }
 
-TEST_CASE("Intersect punishes a crossing") {
-  ScoreInput in = plain();
-  in.intersects = true;
-  CHECK(score(in) == Approx(-38.2 - 30.0));
-}
-
 TEST_CASE("Plane prefers front to back, and leaves billboards alone") {
   ScoreInput in = plain();
   in.planeKind = PlaneKind::kScope;

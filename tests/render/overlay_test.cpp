@@ -50,9 +50,9 @@ std::vector<OverlayShape> build(const OverlayArc& arc) {
   return shapes;
 }
 
-std::vector<OverlayShape> build(const OverlayLeader& leader) {
+std::vector<OverlayShape> build(const OverlayThread& thread) {
   std::vector<OverlayShape> shapes;
-  buildOverlay({.leaders = {&leader, 1}}, testTheme(), shapes);
+  buildOverlay({.threads = {&thread, 1}}, testTheme(), shapes);
   return shapes;
 }
 
@@ -361,11 +361,11 @@ TEST_CASE("an arc that is hovered, fades, or cannot be drawn") {
   CHECK(build(arcOf({})).empty());
 }
 
-TEST_CASE("a leader runs from its dot to the edge of the box, and is not drawn inside it") {
-  OverlayLeader leader;
-  leader.anchor = {100, 100};
-  leader.box = {{200, 86}, {300, 114}};
-  std::vector<OverlayShape> shapes = build(leader);
+TEST_CASE("a thread runs from its dot to the edge of the box, and is not drawn inside it") {
+  OverlayThread thread;
+  thread.anchor = {100, 100};
+  thread.box = {{200, 86}, {300, 114}};
+  std::vector<OverlayShape> shapes = build(thread);
   const std::vector<OverlayShape> threads = withInk(shapes, 3);
   REQUIRE(threads.size() == 1);
   CHECK(threads[0].startPx == glm::vec2(100, 100));
@@ -374,8 +374,8 @@ TEST_CASE("a leader runs from its dot to the edge of the box, and is not drawn i
   REQUIRE(dots.size() == 1);
   CHECK(dots[0].kind == Kind::kDisc);
   CHECK(0.5F * (dots[0].startPx + dots[0].endPx) == glm::vec2(100, 100));
-  leader.anchor = {250, 100};
-  CHECK(build(leader).empty());
+  thread.anchor = {250, 100};
+  CHECK(build(thread).empty());
 }
 
 TEST_CASE("a drag's marks are quieter than lines, but for the limit that is reached") {
