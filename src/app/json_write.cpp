@@ -16,13 +16,13 @@ void writePlane(JsonWriter& json, const PlacedLine& line) {
   json.endObject();
 }
 
-void writePolyline(JsonWriter& json, const std::vector<Vec2>& points) {
+void writePolyline(JsonWriter& json, std::span<const Vec2> points) {
   json.beginArray();
   for (const Vec2& p : points) json.value(p);
   json.endArray();
 }
 
-void writeHandles(JsonWriter& json, const std::vector<Handle>& handles) {
+void writeHandles(JsonWriter& json, std::span<const Handle> handles) {
   json.key("handles").beginArray();
   for (const Handle& handle : handles) {
     json.beginObject().key("end").value(handle.atEnd ? "end" : "start").key("screen").value(handle.screen).endObject();

@@ -34,6 +34,7 @@ void LineAnimator::update(const Layout& placed, std::span<const Scope> scopes, c
     tracked_.clear();
     fading_.clear();
   }
+  fading_.reserve(placed.lines.size(), drawn.lines.size());
   match(placed, scopes, nowMs, animate, drawn, held);
   fresh_ = false;
   atRest_ = true;

@@ -1,5 +1,7 @@
 #include "editing/line_projection.h"
 
+#include <span>
+
 namespace dimline {
 
 namespace {
@@ -17,7 +19,7 @@ Vec2 anchorPoint(LabelAnchor::To to, const Segment2& line) {
 }
 
 /// New ends for a polyline; the points between shift with the end they are nearer to, counted in points.
-void moveEnds(std::vector<Vec2>& polyline, const Vec2& first, const Vec2& last) {
+void moveEnds(std::span<Vec2> polyline, const Vec2& first, const Vec2& last) {
   if (polyline.size() < 2) return;
   const Vec2 shiftFirst = first - polyline.front();
   const Vec2 shiftLast = last - polyline.back();

@@ -47,6 +47,7 @@ BaseLine chainBaseLine(const Cluster& cluster, int side);
 /// Stretches of a line that are taken, in metres along it.
 class TakenStretches {
  public:
+  void reserve(std::size_t stretches) { stretches_.reserve(stretches); }
   void clear() { stretches_.clear(); }
   /// Whether [from, to] overlaps nothing by more than `toleranceM`; touching ends are no overlap.
   [[nodiscard]] bool free(double fromM, double toM, double toleranceM) const;

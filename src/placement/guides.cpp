@@ -4,8 +4,15 @@
 
 namespace dimline {
 
+namespace {
+
+/// A guide's memory goes from one line to another as frames pass: so many stretches, as of a long chain, are taken without asking for more.
+constexpr std::size_t kReservedStretches = 64;
+
+}  // namespace
+
 int Guides::add(const Plane& plane, const Segment& line) {
-  if (count_ == guides_.size()) guides_.emplace_back();
+  if (count_ == guides_.size()) guides_.emplace_back().taken.reserve(kReservedStretches);
   Guide& guide = guides_[count_];
   guide.plane = plane;
   guide.point = line.start;

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "core/fixed_vector.h"
 #include "math/camera.h"
 #include "model/model.h"
 #include "silhouette/distance_fields.h"
@@ -73,8 +74,8 @@ struct PlacedLine {
   Segment2 baseScreen;
   Segment2 lineScreen;
   /// Extension lines from the base line's ends to the final line's: start and end, each a polyline, base end first. Empty when inside.
-  std::vector<Vec2> extensionStart;
-  std::vector<Vec2> extensionEnd;
+  FixedVector<Vec2, 3> extensionStart;
+  FixedVector<Vec2, 3> extensionEnd;
   std::int32_t chain = -1;        ///< equal for the members of one chain, different between chains; -1 for a line of its own
   bool indirect = false;          ///< drawn stippled
   LineLook look;
@@ -83,7 +84,7 @@ struct PlacedLine {
   std::string text;               ///< what the label says
   std::optional<Box2> label;      ///< px; empty when there is no room
   LabelPlace labelPlace;          ///< meaningless without a label
-  std::vector<Handle> handles;
+  FixedVector<Handle, 2> handles;
 };
 
 /// The arc of an angular handle in the world: it begins at center + from * radiusM and turns about `axis` by angleRad, counter-clockwise seen against it.
@@ -116,7 +117,7 @@ struct PlacedHandle {
   Vec2 anchor{0.0};                ///< px, the point of the feature that the handle belongs to; a thread runs from there to the handle when it is outside
   Box2 box;                        ///< px, all that it covers; of an arc its label's box
   std::optional<Arc> arc;          ///< of an angular handle
-  std::vector<Handle> handles;     ///< what can be taken hold of
+  FixedVector<Handle, 1> handles;  ///< what can be taken hold of
   std::vector<RangeOption> options;
 };
 

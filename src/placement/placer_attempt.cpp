@@ -25,16 +25,15 @@ HiddenReason reasonFor(const BaseLineTally& tally, bool anyScope) {
 }
 
 /// From the base line's end to the final line's, bent at the plane where the base line does not lie in it (paper 5, "Extension Lines").
-void writeExtension(const Vec2& base, const Vec2& foot, const Vec2& end, std::vector<Vec2>& polyline) {
+void writeExtension(const Vec2& base, const Vec2& foot, const Vec2& end, FixedVector<Vec2, 3>& polyline) {
   polyline.clear();
-  polyline.reserve(3);   // of a line that is not bent as well: the next to use this memory may be
   polyline.push_back(base);
   if (foot != base) polyline.push_back(foot);
   polyline.push_back(end);
 }
 
 /// Moves an extension line that would lie on a dimension line a little towards the middle of its own line (paper 5, "Extension Lines").
-void moveAside(std::vector<Vec2>& extension, const Vec2& towardsMiddle, const Landed& landed) {
+void moveAside(FixedVector<Vec2, 3>& extension, const Vec2& towardsMiddle, const Landed& landed) {
   bool onLine = false;
   for (std::size_t i = 1; i < extension.size(); ++i) onLine = onLine || landed.liesOnLine({extension[i - 1], extension[i]});
   const double length = glm::length(towardsMiddle);

@@ -4,8 +4,9 @@
 
 #include "app/editor_stage.h"
 #include "models/models.h"
+#include "support/allocation_count.h"
 
-// What must hold for every built-in model: nothing is left behind by a drag that is taken back, in whichever way.
+// What must hold for every built-in model: nothing is left behind by a drag that is taken back, in whichever way, and no frame of a flight that was flown before allocates.
 
 using namespace dimline;
 using namespace dimline::test;
@@ -294,4 +295,26 @@ TEST_CASE("in every model, what is shown on demand moves nothing that is shown a
     }
   }
   CHECK(shownOnDemand > 0);
+}
+
+TEST_CASE("in every model, frames of an orbit allocate nothing once it has been flown") {
+  for (const BuiltInModel& builtIn : builtInModels()) {
+    if (!tested(builtIn.name)) continue;
+    EditorStage stage(builtIn.define());
+    const Bounds& bounds = stage.editor.scene().bounds;
+    const auto fly = [&] {
+      std::size_t allocated = 0;
+      for (int i = 0; i < 120; ++i) {
+        REQUIRE(stage.editor.setCamera(orbitCamera(bounds.center(), 1.8 * bounds.diagonal(), 3.0 * i, 20)));
+        (void)stage.editor.takeEvents();
+        const std::size_t before = allocationCount();
+        stage.frame();
+        allocated += allocationCount() - before;
+      }
+      return allocated;
+    };
+    for (int warmUp = 0; warmUp < 2; ++warmUp) fly();
+    INFO(builtIn.name);
+    CHECK(fly() == 0);
+  }
 }
