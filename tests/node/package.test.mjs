@@ -27,6 +27,17 @@ test("the element's module can be imported, and there is no element", async () =
   assert.equal(globalThis.customElements, undefined);
 });
 
+test("the types declare exactly what the element has", async () => {
+  const { DimlineEditor } = await import("../../web/dimline_editor.js");
+  const kLifecycle = ["constructor", "connectedCallback", "disconnectedCallback", "adoptedCallback", "attributeChangedCallback"];
+  const members = Object.getOwnPropertyNames(DimlineEditor.prototype).filter((name) => !kLifecycle.includes(name));
+  const types = readFileSync(new URL("dimline_editor.d.ts", kWeb), "utf8");
+  const body = types.slice(types.indexOf("export class DimlineEditor"));
+  const text = body.slice(0, body.indexOf("\n}"));
+  const declared = [...text.matchAll(/^  (?:readonly |get |set )?(\w+)[(:]/gm)].map(([, name]) => name).filter((name) => name !== "addEventListener");   // inherited
+  assert.deepEqual([...new Set(declared)].sort(), members.sort());
+});
+
 test("a core lays out the house, and forgets everything when it is disposed of", async (t) => {
   const core = await openCore(t);
   settle(core);
