@@ -45,6 +45,7 @@ struct Desk {
       if (scene.scopes[i].name == annotation.scope && scene.scopes[i].index == scopeIndex) line.scope = i;
     }
     line.base = baseLines(annotation, scene.scopes[line.scope].box, view)[static_cast<std::size_t>(number)].segment;
+    line.foot = line.base;
     line.line = {line.base.start + offset, line.base.end + offset};
     line.identity = {static_cast<std::int32_t>(line.parameter),
                      static_cast<std::int32_t>(scopeIndex),
@@ -166,6 +167,8 @@ TEST_CASE("a width that grows on both sides follows at twice the pointer's way, 
   values.set(line.parameter, value);
   const auto dragged = drag->lineOn(desk.sceneAt(line.parameter, value), values, desk.view);
   REQUIRE(dragged);
+  CHECK(glm::length(dragged->foot.start - dragged->base.start) < 1e-9);   // its feet go along with what it measures
+  CHECK(glm::length(dragged->foot.end - dragged->base.end) < 1e-9);
   REQUIRE(dragged->handles[0].screen.x == Approx(930));
   REQUIRE(dragged->handles[0].screen.y == Approx(line.lineScreen.end.y));
   REQUIRE(dragged->value == 8.6);
