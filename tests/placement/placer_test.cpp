@@ -252,6 +252,41 @@ TEST_CASE("a chain keeps clear of a line that the extension lines of its inner m
   CHECK(bay->lineScreen.start.y < 350);
 }
 
+TEST_CASE("a chain stays with its row in an edited model, whatever the row's number is there") {
+  // The row lies a little above the wall's foot; the edit puts another one below and before it, in a plane of its own, which comes first.
+  ModelDefinition definition = boxWithDoor();
+  definition.parameters = {{.name = "Bay", .title = "Bay", .unit = Unit::kMetre, .defaultValue = 2, .min = 1, .max = 3, .step = 0.1,
+                            .annotation = "@Handle(scope=Bay, type=linear-center, orient=right, slip=scope, chained)"},
+                           {.name = "Rows", .title = "Rows", .type = ParameterType::kInt, .defaultValue = 1, .min = 1, .max = 2}};
+  definition.build = [](const Values& values) {
+    Scene scene = sceneOf({{"Wall", boxAt({-5, 0, -1}, {10, 6, 1})}});
+    std::uint32_t bays = 0;
+    for (const double y : {0.5, 0.8}) {
+      if (y < 0.6 && values.at(1) < 2) continue;
+      for (int column = 0; column < 3; ++column) scene.scopes.push_back({"Bay", bays++, boxAt({-3.0 + column * values.at(0), y, y < 0.6 ? 1.0 : 0.0}, {values.at(0), 0.2, 0.05})});
+    }
+    return scene;
+  };
+  Stage stage(std::move(definition));
+  const Camera front = straightAt(3);
+  stage.look(front);
+  const PlacedLine* bay = stage.find("Bay");
+  REQUIRE(bay != nullptr);
+  REQUIRE(bay->chain >= 0);
+  REQUIRE(bay->base.start.y == Approx(0.9));
+  stage.values.set(1, 2);
+  stage.rebuild();
+  stage.look(front);
+  bay = stage.find("Bay");
+  REQUIRE(bay != nullptr);
+  CHECK(bay->base.start.y == Approx(0.9));
+  Placer anew;
+  stage.placer = std::move(anew);
+  stage.rebuild();
+  stage.look(front);
+  CHECK(stage.find("Bay")->base.start.y == Approx(0.6));   // where it would go by itself
+}
+
 TEST_CASE("while the camera comes nearer, no chain is begun for a moment where one of its base lines would do") {
   Stage stage(towerWithBays());
   int begun = 0;
