@@ -1,10 +1,10 @@
 import { CanvasSize } from "./canvas_size.js";
 import { createCore } from "./core.js";
 import { make } from "./dom.js";
-import { commandOf } from "./editor_keys.js";
+import { commandOf, isTyped } from "./editor_keys.js";
 import { EditorMessage } from "./editor_message.js";
 import { kEditorCss } from "./editor_style.js";
-import { fetchGltf, isGltfUrl } from "./gltf_files.js";
+import { absoluteUrl, fetchGltf, isGltfUrl } from "./gltf_files.js";
 import { makeContext, watchContext } from "./graphics_context.js";
 import { loadLabelFont } from "./label_font.js";
 import { decimalMark } from "./numbers.js";
@@ -27,19 +27,6 @@ function makeContextBefore(coming, canvas) {
     coming.then((core) => core.dispose(), () => {});
     throw error;
   }
-}
-
-/** The address of a model's file, absolute. */
-function addressOf(name) {
-  if (!URL.canParse(name, document.baseURI)) throw new Error(`"${name}" is no address of a glTF file.`);
-  return new URL(name, document.baseURI).href;
-}
-
-/** Whether a key goes into a field of some page, as text or as its value. */
-function isTyped(event) {
-  const target = event.composedPath()[0];
-  if (!target?.matches) return false;
-  return target.isContentEditable || target.matches("select, textarea, input:not([type=range], [type=checkbox], [type=radio], [type=button], [type=submit])");
 }
 
 /**
@@ -69,8 +56,7 @@ export class DimlineEditor extends Base {
   #core = null;
   #parts = null; // what #build() made
   #listening = null; // AbortController: everything that must end with the element
-  #loading = null; // AbortController of the model under way
-  #coming = null; // the promise of the model that was asked for last
+  #loading = null; // {controller, done}: how to abort the model under way, which was asked for last, and the promise of its end
   #shown = null; // the name of the model that is shown
   #initialValues = null; // as the property was given
   #resuming = null; // {model, values, camera}: what another attempt goes on with
@@ -382,7 +368,7 @@ export class DimlineEditor extends Base {
       this.#showLines();
       window.addEventListener("languagechange", () => this.#guard(() => this.#applyLanguage()), listening);
       this.#load(this.#resuming?.model ?? this.model);
-      for (let coming = null; coming !== this.#coming; await coming) coming = this.#coming;
+      while (this.#loading) await this.#loading.done;
       this.#drawNow();
       if (this.#core?.problem) throw new Error(this.#core.problem);
       if (!listening.signal.aborted) this.#ready.resolve();
@@ -396,8 +382,9 @@ export class DimlineEditor extends Base {
     const attempt = this.#attempt++;
     if (!this.coreUrl && attempt === 0) return null;
     const given = this.coreUrl;
-    if (given && !URL.canParse(given, document.baseURI)) throw new Error(`The attribute core-url is no address: "${given}".`);
-    const url = new URL(given || "./build/dimline.js", given ? document.baseURI : import.meta.url);
+    const url = given
+      ? absoluteUrl(given, document.baseURI, `The attribute core-url is no address: "${given}".`)
+      : new URL("./build/dimline.js", import.meta.url);
     if (attempt > 0) url.searchParams.set("attempt", attempt);
     return url;
   }
@@ -451,7 +438,7 @@ export class DimlineEditor extends Base {
     if (!listening) return;
     this.#listening = null;
     listening.abort();
-    this.#loading?.abort();
+    this.#abortLoading();
     cancelAnimationFrame(this.#frameRequest);
     this.#frameRequest = 0;
     this.#core?.dispose();
@@ -462,7 +449,7 @@ export class DimlineEditor extends Base {
     this.#parts = this.#input = this.#overlay = null;
     this.#peeking = false;
     this.#size = null;
-    this.#shown = this.#coming = null;
+    this.#shown = null;
     this.#error = null;
     const gone = new Error("The editor left the document.");
     this.#ready.reject(gone);
@@ -483,14 +470,20 @@ export class DimlineEditor extends Base {
 
   // Without a name there is nothing to load, and what is shown stays.
   #load(name) {
-    this.#loading?.abort();
+    this.#abortLoading();
     if (!name) return;
-    const loading = (this.#loading = new AbortController());
-    this.#coming = this.#loadModel(name, loading.signal).finally(() => {
-      if (this.#loading !== loading) return;
+    const controller = new AbortController();
+    const done = this.#loadModel(name, controller.signal).finally(() => {
+      if (controller.signal.aborted) return;
       this.#loading = null;
       this.#requestFrame(); // who waits until all is settled waits for this too
     });
+    this.#loading = { controller, done };
+  }
+
+  #abortLoading() {
+    this.#loading?.controller.abort();
+    this.#loading = null;
   }
 
   async #loadModel(name, signal) {
@@ -498,7 +491,7 @@ export class DimlineEditor extends Base {
     if (signal.aborted || !this.#core) return;
     try {
       if (isGltfUrl(name)) {
-        const scene = await this.#core.readGltf(name, fetchGltf(addressOf(name), signal));
+        const scene = await this.#core.readGltf(name, fetchGltf(absoluteUrl(name, document.baseURI, `"${name}" is no address of a glTF file.`).href, signal));
         if (signal.aborted || !this.#core) return;
         this.#core.setScene(scene);
       } else {

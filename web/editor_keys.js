@@ -2,6 +2,13 @@
 
 const kViewKeys = { 0: "three-quarter", 1: "front", 3: "right", 7: "top" };
 
+/** Whether a key goes into a field of some page, as text or as its value. */
+export function isTyped(event) {
+  const target = event.composedPath()[0];
+  if (!target?.matches) return false;
+  return target.isContentEditable || target.matches("select, textarea, input:not([type=range], [type=checkbox], [type=radio], [type=button], [type=submit])");
+}
+
 /**
  * The command that a pressed key stands for, to be called; null for none.
  * @param {KeyboardEvent} event

@@ -5,6 +5,12 @@ export function isGltfUrl(name) {
   return /^(blob|data):/i.test(name) || /\.(gltf|glb)$/i.test(name.split(/[?#]/, 1)[0]);
 }
 
+/** A URL that is written relative to another; throws an Error with this sentence where it is none. */
+export function absoluteUrl(text, base, sentence) {
+  if (!URL.canParse(text, base)) throw new Error(sentence);
+  return new URL(text, base);
+}
+
 /** The addresses of other files in a list of a document, each once. */
 function urisOf(entries) {
   const uris = Array.isArray(entries) ? entries.map((entry) => entry?.uri) : [];
@@ -46,8 +52,8 @@ export async function fetchGltf(url, signal) {
     throw new Error(`${url} is neither a .glb nor the JSON of a .gltf: ${cause.message}.`, { cause });
   }
   const fetchAs = async (uri) => {
-    if (!URL.canParse(uri, url)) throw new Error(`${url} names a file "${uri}", which is no address beside it.`);
-    files[uri] = await fetchBytes(new URL(uri, url).href, signal);
+    const { href } = absoluteUrl(uri, url, `${url} names a file "${uri}", which is no address beside it.`);
+    files[uri] = await fetchBytes(href, signal);
   };
   // A picture that is missing costs the picture; without a buffer there is no model.
   const fetchIfThere = (uri) =>

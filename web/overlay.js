@@ -124,8 +124,8 @@ export class Overlay {
 
   // Once, when the picture comes to rest with nothing to take hold of.
   #sayIfEmpty(core, count) {
-    const isEmpty = () => core.layout().lines.length + core.layout().others.length === 0;
-    const empty = count === 0 && this.#parameters.length > 0 && core.linesShown && isEmpty();
+    const isEmpty = ({ lines, others }) => lines.length + others.length === 0;
+    const empty = count === 0 && this.#parameters.length > 0 && core.linesShown && isEmpty(core.layout());
     if (empty && !this.#empty) this.say(null, kNothingInView);
     this.#empty = empty;
   }

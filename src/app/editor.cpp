@@ -224,7 +224,8 @@ void Editor::resize(double widthPx, double heightPx, double devicePixelRatio) {
   s.viewStale = true;
   s.pictureStale = true;
   if (s.cameraUntouched && s.loaded && !s.handleGesture) s.openingCamera();
-  if (s.fitDue && s.hasSize()) fitToView();
+  // One that was fitted to a size which was not there, or is not any more, and that no frame has shown.
+  if (s.compositionDue && !s.cameraUntouched && s.hasSize()) fitToView();
 }
 
 const Camera& Editor::camera() const { return state_->camera; }
@@ -245,7 +246,6 @@ void Editor::fitToView() {
   const Camera camera = uncentred(View(s.camera, width, height, s.scene.bounds), s.scene.bounds);
   s.moveCamera(dimline::fitToView(camera, s.scene.bounds, width, height));
   s.compositionDue = true;
-  s.fitDue = !s.hasSize();
 }
 
 void Editor::setStandardView(StandardView view) {
@@ -257,7 +257,6 @@ void Editor::setStandardView(StandardView view) {
   camera.eye = camera.target + directionOf(view);
   s.moveCamera(dimline::fitToView(camera, s.scene.bounds, std::max(s.widthPx, 1.0), std::max(s.heightPx, 1.0)));
   s.compositionDue = true;
-  s.fitDue = !s.hasSize();
 }
 
 void Editor::setOrthographic(bool orthographic) {
@@ -275,7 +274,6 @@ void Editor::State::moveCamera(const Camera& next) {
   if (!validate(next)) return;
   cameraUntouched = false;
   compositionDue = false;
-  fitDue = false;
   if (next == camera) return;  // or two hosts that follow each other would do so for ever
   if (handleGesture) endHandleGesture();  // a drag is measured by the camera with which it began
   camera = next;

@@ -21,8 +21,6 @@ constexpr double kPinchScale = 10.0;
 constexpr double kMostPinchPx = 30.0;
 constexpr double kMostWheelPx = 400.0;
 
-bool finite(const Vec2& v) { return std::isfinite(v.x) && std::isfinite(v.y); }
-
 Snap snapFor(const Modifiers& modifiers) { return modifiers.alt ? Snap::kNone : modifiers.shift ? Snap::kFine : Snap::kStep; }
 
 CameraGesture::Kind kindFor(const PointerInput& input) {
@@ -37,7 +35,7 @@ CameraGesture::Kind kindFor(const PointerInput& input) {
 
 PointerTarget Editor::pointerDown(const PointerInput& input) {
   State& s = *state_;
-  if (!finite(input.screen) || !s.loaded || !s.hasSize()) return PointerTarget::kNothing;
+  if (!isFinite(input.screen) || !s.loaded || !s.hasSize()) return PointerTarget::kNothing;
   if (s.handleGesture) return input.button == PointerButton::kPrimary && s.takeHandle(input) ? PointerTarget::kHandle : PointerTarget::kNothing;
   if (s.cameraGesture) {
     const bool secondFinger =
@@ -57,7 +55,7 @@ PointerTarget Editor::pointerMove(const PointerInput& input) {
   if (s.handleGesture) {
     const auto hold = s.handleGesture->holdOf(input.id);
     if (hold == s.handleGesture->holds.end()) return PointerTarget::kNothing;
-    if (finite(input.screen)) s.moveHold(*hold, input);
+    if (isFinite(input.screen)) s.moveHold(*hold, input);
     return PointerTarget::kHandle;
   }
   if (s.cameraGesture) {
@@ -65,7 +63,7 @@ PointerTarget Editor::pointerMove(const PointerInput& input) {
     CameraGesture::Pointer* pointer = input.id == gesture.first.id ? &gesture.first : nullptr;
     if (gesture.kind == CameraGesture::Kind::kTwoFingers && input.id == gesture.second.id) pointer = &gesture.second;
     if (pointer == nullptr) return PointerTarget::kNothing;
-    if (finite(input.screen) && pointer->now != input.screen) {
+    if (isFinite(input.screen) && pointer->now != input.screen) {
       pointer->now = input.screen;
       s.moveCameraGesture();
     }
@@ -100,7 +98,7 @@ void Editor::cancelPointer(int id) {
 
 void Editor::wheel(const Vec2& screen, double deltaPx, const Modifiers& modifiers) {
   State& s = *state_;
-  if (!finite(screen) || !std::isfinite(deltaPx) || !s.loaded || !s.hasSize() || s.handleGesture || s.cameraGesture) return;
+  if (!isFinite(screen) || !std::isfinite(deltaPx) || !s.loaded || !s.hasSize() || s.handleGesture || s.cameraGesture) return;
   double delta = std::clamp(deltaPx, -kMostWheelPx, kMostWheelPx);
   if (modifiers.ctrl && std::abs(delta) <= kMostPinchPx) delta *= kPinchScale;
   s.moveCamera(zoom(s.camera, wheelZoomFactor(delta), s.pivotUnder(screen), cameraLimits(s.scene.bounds)));
@@ -108,7 +106,7 @@ void Editor::wheel(const Vec2& screen, double deltaPx, const Modifiers& modifier
 
 PointerTarget Editor::hover(const PointerInput& input) {
   State& s = *state_;
-  if (!finite(input.screen)) return PointerTarget::kNothing;
+  if (!isFinite(input.screen)) return PointerTarget::kNothing;
   s.hoverAt = input;
   s.updateHover();
   return s.hovered && s.gripAt(input) ? PointerTarget::kHandle : PointerTarget::kNothing;

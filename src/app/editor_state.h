@@ -75,7 +75,6 @@ struct Editor::State {
   Camera camera;
   bool cameraUntouched = true;  ///< nobody chose it: it is fitted anew when the viewport gets its size
   bool compositionDue = false;  ///< it was fitted to the model alone; the lines come into it with the next frame
-  bool fitDue = false;           ///< the model was to fill the picture when that had no size: it does when it has one
   bool viewStale = true;        ///< camera, viewport or scene changed since fields were asked for
 
   // --- Gestures ---

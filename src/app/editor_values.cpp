@@ -14,8 +14,6 @@ namespace {
 /// px. How far outside a label's box a pointer is still on the label.
 constexpr double kLabelReachPx = 4.0;
 
-bool finite(const Vec2& v) { return std::isfinite(v.x) && std::isfinite(v.y); }
-
 }  // namespace
 
 void Editor::setDecimalMark(char mark) {
@@ -110,7 +108,7 @@ Editor::Gesture Editor::State::describe(const HandleHold& hold) const {
 
 std::optional<std::size_t> Editor::parameterAt(const Vec2& screen, PointerKind kind) const {
   const State& s = *state_;
-  if (!finite(screen)) return std::nullopt;
+  if (!isFinite(screen)) return std::nullopt;
   if (const auto grip = s.gripAt({.kind = kind, .screen = screen})) return s.keyOf(*grip).parameter;
   for (const PlacedLine& line : s.drawn.lines) {
     if (line.label && line.parameter < s.model.parameters().size() && line.label->grown(kLabelReachPx).overlaps({screen, screen})) return line.parameter;

@@ -6,6 +6,7 @@
 #include "cli/audit_report.h"
 #include "cli/given_values.h"
 #include "cli/load_model.h"
+#include "cli/size_text.h"
 #include "core/text.h"
 #include "models/models.h"
 
@@ -63,18 +64,11 @@ Status readCount(const Arguments& arguments, std::string_view option, int least,
 }
 
 Status readSize(std::string_view text, AuditPlan& plan) {
-  constexpr double kMostPx = 8192;
-  const std::size_t by = text.find_first_of("xX");
-  const auto sideOf = [](std::string_view side) { return side.find_first_not_of("0123456789") == std::string_view::npos ? parseDouble(side) : std::nullopt; };
-  const auto width = sideOf(text.substr(0, by));
-  const auto height = by == std::string_view::npos ? std::nullopt : sideOf(text.substr(by + 1));
-  const auto good = [](const std::optional<double>& side) { return side && *side >= 1 && *side <= kMostPx; };
-  if (!good(width) || !good(height)) {
-    return Error{"--size takes width and height in pixels, each from 1 to 8192, such as 1000x800, not " +
-                 inQuotes(text) + "."};
-  }
-  plan.widthPx = static_cast<int>(*width);
-  plan.heightPx = static_cast<int>(*height);
+  constexpr int kMostPx = 8192;
+  const auto size = parseSize(text, kMostPx);
+  if (!size) return size.error();
+  plan.widthPx = size->widthPx;
+  plan.heightPx = size->heightPx;
   return okStatus();
 }
 

@@ -2,6 +2,7 @@
 
 #include "cli/arguments.h"
 #include "cli/load_model.h"
+#include "cli/size_text.h"
 #include "core/text.h"
 
 namespace dimline {
@@ -42,28 +43,13 @@ Result<double> parseNumber(std::string_view option, std::string_view text) {
   return *number;
 }
 
-/// A whole number of pixels from 1 to kMaxSidePx.
-std::optional<int> parseSide(std::string_view text) {
-  if (text.empty() || text.size() > 5 || text.find_first_not_of("0123456789") != std::string_view::npos)
-    return std::nullopt;
-  int side = 0;
-  for (const char c : text) side = side * 10 + (c - '0');
-  if (side < 1 || side > kMaxSidePx) return std::nullopt;
-  return side;
-}
-
 Status readSize(const Arguments& arguments, LayoutOptions& options) {
   const auto text = arguments.value("--size");
   if (!text) return okStatus();
-  const std::size_t by = text->find_first_of("xX");
-  const auto width = parseSide(text->substr(0, by));
-  const auto height = by == std::string_view::npos ? std::nullopt : parseSide(text->substr(by + 1));
-  if (!width || !height) {
-    return Error{"--size takes width and height in pixels, each from 1 to " + std::to_string(kMaxSidePx) +
-                 ", such as 1000x800, not " + inQuotes(*text) + "."};
-  }
-  options.widthPx = *width;
-  options.heightPx = *height;
+  const auto size = parseSize(*text, kMaxSidePx);
+  if (!size) return size.error();
+  options.widthPx = size->widthPx;
+  options.heightPx = size->heightPx;
   return okStatus();
 }
 

@@ -29,15 +29,19 @@ Result<std::string_view> modelArgument(const Arguments& arguments) {
   return positional[0];
 }
 
+void printNotes(std::string_view name, const Model& model, bool builtIn, std::ostream& err) {
+  const auto note = [&](const std::string& diagnostic) { err << "dimline: note: " << name << ": " << diagnostic << "\n"; };
+  std::ranges::for_each(model.diagnostics, note);
+  if (builtIn) std::ranges::for_each(findUnknownScopes(model), note);
+}
+
 Result<Model> loadModel(std::string_view nameOrPath, std::ostream& err) {
   const bool fromFile = isGltfPath(nameOrPath);
   auto model = fromFile ? readGltfFile(std::string(nameOrPath)) : findBuiltInModel(nameOrPath);
   const bool unknown = !fromFile && std::ranges::find(builtInModels(), nameOrPath, &BuiltInModel::name) == builtInModels().end();
   if (unknown) return Error{model.error().message + " A model in a file ends in .gltf or .glb."};
   if (!model) return model.error();
-  const auto note = [&](const std::string& diagnostic) { err << "dimline: note: " << nameOrPath << ": " << diagnostic << "\n"; };
-  std::ranges::for_each(model->diagnostics, note);
-  if (!fromFile) std::ranges::for_each(findUnknownScopes(*model), note);
+  printNotes(nameOrPath, *model, !fromFile, err);
   return model;
 }
 

@@ -5,6 +5,7 @@
 
 #include "app/json.h"
 #include "cli/arguments.h"
+#include "cli/load_model.h"
 #include "cli/model_statistics.h"
 #include "models/models.h"
 
@@ -57,9 +58,7 @@ Outcome run(std::span<const std::string_view> list, const Streams& streams) {
   for (const BuiltInModel& builtIn : builtInModels()) {
     const auto model = makeModel(builtIn.define());
     if (!model) return badInput(model.error());
-    for (const std::string& diagnostic : model->diagnostics) {
-      streams.err << "dimline: note: " << builtIn.name << ": " << diagnostic << "\n";
-    }
+    printNotes(builtIn.name, *model, true, streams.err);
     if (asJson) {
       writeJson(*model, json);
     } else {

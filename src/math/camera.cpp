@@ -19,8 +19,6 @@ constexpr double kMostCoordinateM = 1e12;
 constexpr double kLeastHeightM = 1e-9;
 constexpr double kLeastFovRad = 1.745e-9;
 
-bool finite(const Vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
-
 struct Frame {
   Vec3 right, up, forward;
 };
@@ -39,7 +37,7 @@ Frame frameOf(const Camera& camera) {
 }  // namespace
 
 Status validate(const Camera& camera) {
-  if (!finite(camera.eye) || !finite(camera.target) || !finite(camera.up)) {
+  if (!isFinite(camera.eye) || !isFinite(camera.target) || !isFinite(camera.up)) {
     return Error{"The camera's eye, target and up must be finite numbers."};
   }
   const auto reach = [](const Vec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); };

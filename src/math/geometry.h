@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <optional>
 
@@ -52,6 +53,15 @@ struct Obb {
   }
   [[nodiscard]] Vec3 center() const { return at({0.5, 0.5, 0.5}); }
 };
+
+inline bool isFinite(const Vec2& v) { return std::isfinite(v.x) && std::isfinite(v.y); }
+inline bool isFinite(const Vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+
+/// The direction of a vector, unit length; zero for one without.
+inline Vec3 unitOrZero(const Vec3& v) {
+  const double length = glm::length(v);
+  return length > 0 ? v / length : Vec3(0.0);
+}
 
 /// An oriented plane. `normal` has unit length.
 struct Plane {

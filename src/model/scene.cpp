@@ -1,7 +1,7 @@
 #include "model/scene.h"
 
 #include <algorithm>
-#include <cmath>
+#include <functional>
 #include <limits>
 #include <string_view>
 #include <unordered_map>
@@ -16,8 +16,10 @@ std::size_t Scene::triangleCount() const {
 
 namespace {
 
-bool isFinite(const Vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
-bool isFinite(const Obb& box) { return isFinite(box.origin) && isFinite(box.size) && std::ranges::all_of(box.axes, [](const Vec3& axis) { return isFinite(axis); }); }
+bool hasFiniteBox(const Scope& scope) {
+  const Obb& box = scope.box;
+  return isFinite(box.origin) && isFinite(box.size) && std::ranges::all_of(box.axes, [](const Vec3& axis) { return isFinite(axis); });
+}
 
 }  // namespace
 
@@ -35,7 +37,7 @@ void finish(Scene& scene) {
   scene.bounds = Bounds();
   if (min.x <= max.x) scene.bounds = Bounds{Vec3(min), Vec3(max)};
 
-  std::erase_if(scene.scopes, [](const Scope& scope) { return !isFinite(scope.box); });
+  std::erase_if(scene.scopes, std::not_fn(hasFiniteBox));
   std::unordered_map<std::string_view, std::uint32_t> counts;
   for (Scope& scope : scene.scopes) scope.index = counts[scope.name]++;
 }

@@ -15,6 +15,12 @@ namespace {
 
 constexpr std::size_t kArcSamples = 16;
 
+/// px. In what steps an arc is slid out of the silhouette.
+constexpr double kArcStepPx = 6.0;
+
+/// Where along the arc the angle's text may stand, in the order of preference.
+constexpr std::array kLabelShares = {0.5, 0.25, 0.75, 0.0, 1.0};
+
 /// The arc as a polyline on screen. False when a part of it is nearer than the near plane.
 bool project(const Arc& arc, const View& view, std::array<Vec2, kArcSamples + 1>& points) {
   for (std::size_t i = 0; i <= kArcSamples; ++i) {
@@ -24,12 +30,6 @@ bool project(const Arc& arc, const View& view, std::array<Vec2, kArcSamples + 1>
   }
   return view.inFrontOfNear(arc.center);
 }
-
-/// px. In what steps an arc is slid out of the silhouette.
-constexpr double kArcStepPx = 6.0;
-
-/// Where along the arc the angle's text may stand, in the order of preference.
-constexpr std::array kLabelShares = {0.5, 0.25, 0.75, 0.0, 1.0};
 
 /// Where the angle's text stands: beyond the arc at `share` of its length, away from the centre.
 Box2 arcLabel(const Arc& arc, const Vec2& size, const View& view, double share) {
@@ -110,10 +110,11 @@ std::optional<HiddenReason> placeArc(const OtherHandle& handle, const OtherHandl
       std::array<Vec2, kArcSamples + 1> points;
       if (offerScore <= bestScore || !project(arc, context.view, points)) return;
       // Both ends of the arms count, since the hand takes one of them; and what the arc says.
-      const Vec2 center = context.view.toScreen(arc.center);
-      if (!onScreen(Box2{center, center}, context.view) || !onScreen(Box2{points[kArcSamples], points[kArcSamples]}, context.view)) return;
       const Box2 label = labelInPicture(arc, labelSize, context.view);
-      if (!onScreen(label, context.view)) return;
+      Box2 needed = label;
+      needed.add(context.view.toScreen(arc.center));
+      needed.add(points[kArcSamples]);
+      if (!onScreen(needed, context.view)) return;
       found = true;
       bestScore = offerScore;
       placed.scope = scope;

@@ -17,16 +17,14 @@ int Guides::add(const Plane& plane, const Segment& line) {
   guide.plane = plane;
   guide.point = line.start;
   // Of a line that was dragged to no length the direction is unknown: nothing lies along its guide.
-  const double length = line.length();
-  guide.along = length > 0 ? (line.end - line.start) / length : Vec3(0.0);
+  guide.along = unitOrZero(line.end - line.start);
   guide.taken.clear();
   return static_cast<int>(count_++);
 }
 
 int Guides::through(const Segment& line, const Plane& plane, double toleranceM) const {
-  const double length = line.length();
-  if (!(length > 0)) return -1;
-  const Vec3 along = (line.end - line.start) / length;
+  const Vec3 along = unitOrZero(line.end - line.start);
+  if (along == Vec3(0.0)) return -1;
   for (std::size_t i = 0; i < count_; ++i) {
     if (!liesOn(guides_[i], plane, along, toleranceM)) continue;
     const Vec3 aside = line.start - guides_[i].point - guides_[i].along * guides_[i].metresAt(line.start);

@@ -58,6 +58,9 @@ struct Handle {
   Vec2 screen{0.0};    ///< the arrowhead's tip, or a pill's middle (px)
 };
 
+/// A polyline, px, from an end of the base line by way of its foot on the plane, where there is another, to that of the final line.
+using ExtensionLine = FixedVector<Vec2, 3>;
+
 /// One dimension line as it is to be shown.
 struct PlacedLine {
   std::size_t parameter = 0;      ///< index into the model's parameters
@@ -73,9 +76,9 @@ struct PlacedLine {
   Segment line;                   ///< world, parallel to base
   Segment2 baseScreen;
   Segment2 lineScreen;
-  /// Extension lines from the base line's ends to the final line's: start and end, each a polyline, base end first. Empty when inside.
-  FixedVector<Vec2, 3> extensionStart;
-  FixedVector<Vec2, 3> extensionEnd;
+  /// From the base line's ends to the final line's. Empty when inside.
+  ExtensionLine extensionStart;
+  ExtensionLine extensionEnd;
   std::int32_t chain = -1;        ///< equal for the members of one chain, different between chains; -1 for a line of its own
   bool indirect = false;          ///< drawn stippled
   LineLook look;

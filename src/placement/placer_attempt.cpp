@@ -25,7 +25,7 @@ HiddenReason reasonFor(const BaseLineTally& tally, bool anyScope) {
 }
 
 /// From the base line's end to the final line's, bent at the plane where the base line does not lie in it (paper 5, "Extension Lines").
-void writeExtension(const Vec2& base, const Vec2& foot, const Vec2& end, FixedVector<Vec2, 3>& polyline) {
+void writeExtension(const Vec2& base, const Vec2& foot, const Vec2& end, ExtensionLine& polyline) {
   polyline.clear();
   polyline.push_back(base);
   if (foot != base) polyline.push_back(foot);
@@ -33,7 +33,7 @@ void writeExtension(const Vec2& base, const Vec2& foot, const Vec2& end, FixedVe
 }
 
 /// Moves an extension line that would lie on a dimension line a little towards the middle of its own line (paper 5, "Extension Lines").
-void moveAside(FixedVector<Vec2, 3>& extension, const Vec2& towardsMiddle, const Landed& landed) {
+void moveAside(ExtensionLine& extension, const Vec2& towardsMiddle, const Landed& landed) {
   bool onLine = false;
   for (std::size_t i = 1; i < extension.size(); ++i) onLine = onLine || landed.liesOnLine({extension[i - 1], extension[i]});
   const double length = glm::length(towardsMiddle);
@@ -303,8 +303,7 @@ void Placer::State::landChoice(const Measured& measured, double value, Layout& l
 /// A line that is being dragged stays on its carrier, whatever this frame would have chosen for it.
 void Placer::State::landHeld(Measured& measured, const PlacedLine& held, Layout& layout) {
   label(measured, parameters[held.parameter], held.value);
-  const double heldM = held.line.length();
-  const Vec3 along = heldM > 0 ? (held.line.end - held.line.start) / heldM : Vec3(0.0);
+  const Vec3 along = unitOrZero(held.line.end - held.line.start);
   const Vec3 fromFoot = held.line.start - held.foot.start;
   Identity place = held.identity;
   if (place.chain >= 0) place.scopeIndex = -1;   // that of the chain, not of its member

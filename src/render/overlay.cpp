@@ -75,8 +75,6 @@ struct Hiding {
 /// Where something is hidden it has no halo.
 Hiding haloOf(const Hiding& hiding) { return {hiding.depths, hiding.share < 1.0F ? 0.0F : 1.0F}; }
 
-bool finite(const Vec2& v) { return std::isfinite(v.x) && std::isfinite(v.y); }
-
 std::uint32_t pack(const glm::vec4& color, float opacity) {
   const auto byte = [](float v) { return static_cast<std::uint32_t>(std::lround(std::clamp(v, 0.0F, 1.0F) * 255.0F)); };
   return byte(color.r) | (byte(color.g) << 8U) | (byte(color.b) << 16U) | (byte(color.a * opacity) << 24U);
@@ -262,13 +260,13 @@ class ShapeList {
 };
 
 bool drawable(const OverlayLine& line) {
-  return line.opacity > 0.0F && finite(line.line.start) && finite(line.line.end) && line.line.length() > 1e-3;
+  return line.opacity > 0.0F && isFinite(line.line.start) && isFinite(line.line.end) && line.line.length() > 1e-3;
 }
 bool drawable(const OverlayArc& arc) {
-  return arc.opacity > 0.0F && arc.points.size() > 1 && finite(arc.center) && std::isfinite(lengthOf(arc.points));
+  return arc.opacity > 0.0F && arc.points.size() > 1 && isFinite(arc.center) && std::isfinite(lengthOf(arc.points));
 }
 bool drawable(const OverlayThread& thread) {
-  return thread.opacity > 0.0F && finite(thread.anchor) && finite(thread.box.min) && finite(thread.box.max);
+  return thread.opacity > 0.0F && isFinite(thread.anchor) && isFinite(thread.box.min) && isFinite(thread.box.max);
 }
 
 // --- What draws the layers, from the lowest to the highest ---
@@ -411,7 +409,7 @@ void addArc(const OverlayArc& arc, bool halo, const Theme& theme, ShapeList& lis
 }
 
 bool drawable(const OverlayEdge& edge) {
-  return edge.opacity > 0.0F && finite(edge.line.start) && finite(edge.line.end) && edge.line.length() > 0.5;
+  return edge.opacity > 0.0F && isFinite(edge.line.start) && isFinite(edge.line.end) && edge.line.length() > 0.5;
 }
 
 /// Edges have a soft border of white, so that they are seen on dark walls too.
@@ -459,7 +457,7 @@ void buildOverlay(const Overlay& overlay, const Theme& theme, std::vector<Overla
   list.beginLayer();
   addHairs(overlay, false, theme, list);
   for (const DragMark& mark : overlay.marks) {
-    if (finite(mark.line.start) && finite(mark.line.end)) addMark(mark, theme, list);
+    if (isFinite(mark.line.start) && isFinite(mark.line.end)) addMark(mark, theme, list);
   }
   for (const OverlayLine& line : overlay.lines) {
     if (drawable(line)) addInk(line, theme, list);

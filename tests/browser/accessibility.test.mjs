@@ -20,6 +20,11 @@ after(async () => {
 /** What is seriously wrong, a line for each node; and how many rules were found to hold. */
 async function findings(page) {
   await page.evaluate(axe);
+  // What is half faded away is seen by nobody long enough to be read.
+  await page.evaluate(() => {
+    const running = [document, document.querySelector("dimline-editor").shadowRoot].flatMap((root) => root.getAnimations());
+    return Promise.allSettled(running.map(({ finished }) => finished));
+  });
   const { violations, passes } = await page.evaluate(() => window.axe.run(document, { resultTypes: ["violations", "passes"] }));
   const grave = violations
     .filter(({ impact }) => kGrave.includes(impact))
