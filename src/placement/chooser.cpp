@@ -169,7 +169,7 @@ bool Chooser::chooseBest(const Measured& measured, const ChoiceContext& context,
 /// out of the picture across others says less than it confuses. Its label waits for what else is there.
 bool Chooser::chooseInside(const CandidateContext& candidates, const ChoiceContext& context) {
   const Landed& landed = context.occupied.landed();
-  const auto isFree = [&](const Segment2& line) { return !landed.runsInto(line) && !landed.coversLabel(line); };
+  const auto isFree = [&](const Segment2& line) { return !landed.runsInto(line) && !landed.coversLabel(line) && !landed.crossesExtension(line); };
   candidates_.clear();
   for (const UsableBaseLine& base : bases_) {
     if (!isWhole(base.screen, context.view) && !context.showAll && !isFree(base.screen)) continue;

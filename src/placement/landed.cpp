@@ -165,6 +165,10 @@ bool Landed::runsInto(const Segment2& segment) const {
   return liesOnLine(segment) || std::ranges::any_of(lines_, [&](const Line& l) { return segmentsCross(segment, l.segment, kCrossingPx); });
 }
 
+bool Landed::crossesExtension(const Segment2& line) const {
+  return std::ranges::any_of(extensions_, [&](const Extension& e) { return segmentsCross(line, e.segment, kCrossingPx); });
+}
+
 Landed::Across Landed::across(const Segment2& segment) const {
   const auto crossed = [&](const auto& l) { return segmentsCross(segment, l.segment, kCrossingPx); };
   return {static_cast<int>(std::ranges::count_if(lines_, crossed)), static_cast<int>(std::ranges::count_if(extensions_, crossed)),

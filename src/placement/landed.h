@@ -72,6 +72,8 @@ class Landed {
   /// Whether a line comes nearer than `px` to one that has landed.
   [[nodiscard]] bool comesWithin(double px, const Segment2& line) const;
 
+  /// Whether a line runs across an extension line.
+  [[nodiscard]] bool crossesExtension(const Segment2& line) const;
   /// Whether a segment crosses a line that has landed, or lies on one.
   [[nodiscard]] bool runsInto(const Segment2& segment) const;
   /// How many of the lines, the extension lines and the labels that have landed a segment runs across.
