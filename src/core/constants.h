@@ -119,6 +119,9 @@ inline constexpr double kChangeShareToUntangle = 0.4;
 /// What it costs there that a line runs across another's extension line, that a longer line lies nearer to the model than a shorter one beside it, and that a line is inside
 /// the model. A change costs once, these as long as they last, so each is worth a change or more; in px it is how far lines go for it.
 inline constexpr double kScoreTangle = -18.0 * kHandleSpacingPx;
+/// By so much more for such a line while the camera comes nearer or goes away: the picture stays full for long then, and lines move for other reasons anyway. Less: such lines last while the picture grows.
+/// More: more changes, some of which are taken back.
+inline constexpr double kTangleFactorZooming = 2.5;
 inline constexpr double kScoreNestedWrongly = -40.0 * kHandleSpacingPx;
 inline constexpr double kScoreInside = -40.0 * kHandleSpacingPx;
 /// What it costs a line inside the model to run across another's extension line, through a label, or into a line inside that is still to be placed: more than staying is worth, since
@@ -138,8 +141,10 @@ inline constexpr int kMendingAttempts = 2;
 /// One in so many attempts in another order goes back to the shortest first. Fewer: an order of long ago stays when it no longer helps. More: it costs time.
 inline constexpr int kShortestFirstEvery = 3;
 /// Attempts more at a frame in which no more than so many lines run across others' extension lines, each drawn at random: who looks for another place, and the order, in which at most so many lines come
-/// before a shorter one. More attempts: a tenth fewer such lines for twice as many, and frames with one cost more. More lines: where it is crowded each frame is placed many times, for little.
+/// before a shorter one. More of them while the camera comes nearer or goes away, when such lines are most and last longest. More attempts: a tenth fewer such lines for twice as many, frames with one cost
+/// more, and while the view only turns more lines change places. More lines: where it is crowded each frame is placed many times, for little.
 inline constexpr int kShuffles = 4;
+inline constexpr int kShufflesZooming = 8;
 inline constexpr int kMostTanglesToShuffle = 2;
 inline constexpr std::size_t kMostPuts = 3;
 /// How often a first picture is placed, the second time with a view to what was placed in the first. More: fewer lines across others' extension lines, and fewer of those through numbers; it takes longer.
@@ -171,11 +176,12 @@ inline constexpr double kSoonGoneZooming = 3.5;
 /// Less: lines come out, and chains are begun, for a moment. More: lines stay inside though there is room, and rows have no chains.
 inline constexpr double kBriefZoom = 0.7;
 /// Of kLooksAheadZooming looks: a place outside the model that is lost at one of so many is not begun; nor is a base line inside it of which nothing is left in the picture at one of so many, when it is
-/// all in the picture now, and when it is cut off. Fewer: while the camera comes nearer, lines hop from one place to another for a frame or two each, or are shown at the rim for their last moments. More:
-/// lines are inside though there is room, and features in view have no line.
+/// all in the picture now, and when it is cut off; nor is a line shown anew, while the camera goes away, whose base line is too short at one of so many. Fewer: while the camera comes nearer, lines hop from one place to another for a frame or two each, or are
+/// shown at the rim, or while they shrink, for their last moments. More: lines are inside though there is room, and features in view have no line.
 inline constexpr std::size_t kLooksAtLastMoments = 1;
 inline constexpr std::size_t kLooksAtLastMomentsInside = 2;
 inline constexpr std::size_t kLooksAtLastMomentsCut = 4;
+inline constexpr std::size_t kLooksAtLastMomentsShort = 3;
 /// What it costs a place to measure a scope that is going out of sight: too little of it is seen already, and only kFramesToLoseSight keep it. As much as what is lost at once while the camera comes nearer. Less:
 /// near a wall that is passed by, lines go from one window to the next as each is hidden.
 inline constexpr double kScoreFadingScope = -30.0 * kHandleSpacingPx;

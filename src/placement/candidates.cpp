@@ -123,6 +123,7 @@ void keep(const CandidateContext& context, const UsableBaseLine& base, Candidate
     const Foresight::Prospect prospect =
         context.foresight.prospect({base.line, context.annotation.slip, candidate.plane, identity.direction, candidate.offsetM, candidate.line,
                                     chain ? 0.0 : context.leastPx, chain ? Vec2(0.0) : context.textSize});
+    if (prospect.shortSoon && context.history.hidden() && !context.showAll) return;
     // No place is begun for its last moments, and a line inside the model does not come out for a moment.
     if (prospect.lastMoments || (prospect.brief && (context.history.wasInside() || (context.lasting && context.foresight.zooms())))) return;
     const bool behind = !chain && isBehindModel(context, base);
@@ -269,7 +270,8 @@ void gatherInsideCandidate(const CandidateContext& context, const UsableBaseLine
   const bool stays = candidate.identity == context.history.last();
   const Foresight::Prospect prospect = context.foresight.prospectInside(base.line.segment, isWhole(base.screen, context.view), context.leastPx);
   // The one that is shown stays to the last.
-  if (prospect.lastMoments && !stays && !context.showAll) return;
+  const bool soonGone = prospect.lastMoments || (prospect.shortSoon && context.history.hidden());
+  if (soonGone && !stays && !context.showAll) return;
   candidate.scope = base.scope;
   candidate.base = candidate.foot = candidate.line = base.line.segment;
   candidate.baseScreen = candidate.footScreen = candidate.lineScreen = base.screen;

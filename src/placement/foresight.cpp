@@ -115,10 +115,12 @@ std::size_t Foresight::firstLookWithout(const Segment& base, double leastPx) con
 Foresight::Prospect Foresight::prospect(const Place& place) {
   if (lookCount_ == 0) return {.price = turnedAway(place.base, now_, kTurnedAwaySin) ? kScoreSoonGone * kTurnedAwayShare : 0.0};
   const std::size_t cramped = firstLook([&](const Look& look) { return !hasRoom(look, place); });
-  const std::size_t lost = place.leastPx > 0 ? std::min(cramped, firstLookWithout(place.base.segment, place.leastPx)) : cramped;
+  const std::size_t gone = place.leastPx > 0 ? firstLookWithout(place.base.segment, place.leastPx) : lookCount_;
+  const std::size_t lost = std::min(cramped, gone);
   const std::size_t turned = firstLook([&](const Look& look) { return turnedAway(place.base, look.view, kTurnedAwaySin); });
   return {.price = lossPrice_ * std::max(shareLeft(lost), kTurnedAwayShare * shareLeft(turned)),
           .brief = std::min(cramped, turned) < briefCount_,
+          .shortSoon = isShortSoon(gone),
           .lastMoments = zooms() && cramped < kLooksAtLastMoments};
 }
 
@@ -138,7 +140,9 @@ bool Foresight::hasRoom(const Look& look, const Place& place) {
 }
 
 Foresight::Prospect Foresight::prospectInside(const Segment& base, bool whole, double leastPx) const {
-  return {.price = lossPrice_ * shareLeft(firstLookWithout(base, leastPx)),
+  const std::size_t gone = firstLookWithout(base, leastPx);
+  return {.price = lossPrice_ * shareLeft(gone),
+          .shortSoon = isShortSoon(gone),
           .lastMoments = zooms() && firstLookWithout(base, 0) < (whole ? kLooksAtLastMomentsInside : kLooksAtLastMomentsCut)};
 }
 

@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/constants.h"
 #include "placement/object_planes.h"
 #include "placement/slip_planes.h"
 
@@ -33,6 +34,7 @@ class Foresight {
   struct Prospect {
     double price = 0;          ///< px, to be added to the place's score
     bool brief = false;        ///< outside the model: it has no room any more before the view has turned by kForesightRad or zoomed by kBriefZoom
+    bool shortSoon = false;    ///< while the camera goes away: it is too short to be shown so soon that it is not worth being shown anew (kLooksAtLastMomentsShort)
     bool lastMoments = false;  ///< while the camera comes nearer or goes away: there is room for it so briefly that it is not worth being begun (kLooksAtLastMoments)
   };
   /// Whether the camera comes nearer or goes away.
@@ -56,6 +58,7 @@ class Foresight {
   template <typename Lost>
   [[nodiscard]] std::size_t firstLook(Lost lost) const;
   [[nodiscard]] std::size_t firstLookWithout(const Segment& base, double leastPx) const;
+  [[nodiscard]] bool isShortSoon(std::size_t gone) const { return zooms() && !nears_ && gone < kLooksAtLastMomentsShort; }
   /// 1 for what is lost at the first look, in equal steps less for later ones, 0 for what is not.
   [[nodiscard]] double shareLeft(std::size_t look) const { return lookCount_ > 0 ? static_cast<double>(lookCount_ - look) / static_cast<double>(lookCount_) : 0.0; }
 

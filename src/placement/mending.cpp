@@ -22,7 +22,8 @@ std::optional<std::size_t> nextInTurn(std::size_t ranks, std::size_t& last, Fits
 
 }  // namespace
 
-void Outcome::begin(std::size_t ranks) {
+void Outcome::begin(std::size_t ranks, bool zoomsNow) {
+  zooms = zoomsNow;
   worth = 0;
   changes = 0;
   changed.assign(ranks, 0);
@@ -35,7 +36,8 @@ void Outcome::begin(std::size_t ranks) {
 
 bool Outcome::betterThan(const Outcome& other) const {
   constexpr double kLeastGainPx = 1.0;
-  const auto amissPx = [](const Outcome& outcome) { return kScoreTangle * outcome.tangles + kScoreNestedWrongly * outcome.nestedWrongly; };
+  const double tanglePx = kScoreTangle * (zooms ? kTangleFactorZooming : 1.0);
+  const auto amissPx = [&](const Outcome& outcome) { return tanglePx * outcome.tangles + kScoreNestedWrongly * outcome.nestedWrongly; };
   // What leaves the picture without any may change more; what would bring the first one in for fewer changes must save as many.
   const bool untangles = (tangles == 0) != (other.tangles == 0);
   const double changePx = kScoreChange * (untangles ? kChangeShareToUntangle : 1.0);
@@ -58,7 +60,7 @@ std::optional<Attempt> Mending::next(const Outcome& outcome, bool shortestFirst)
   if (!std::exchange(ordered_, true)) {
     if (const auto order = nextOrder(outcome, shortestFirst)) return order;
   }
-  if (shuffles_ == kShuffles || outcome.tangled.empty() || outcome.tangles > kMostTanglesToShuffle) return std::nullopt;
+  if (shuffles_ == (outcome.zooms ? kShufflesZooming : kShuffles) || outcome.tangled.empty() || outcome.tangles > kMostTanglesToShuffle) return std::nullopt;
   ++shuffles_;
   return shuffle(outcome);
 }

@@ -13,6 +13,7 @@ namespace dimline {
 
 /// What came of placing a frame's lines one after the other, so that two attempts at one frame can be compared.
 struct Outcome {
+  bool zooms = false;           ///< the camera comes nearer or goes away
   double worth = 0;             ///< px, the sum of what the chosen places are worth by themselves (Chooser::worth())
   double changes = 0;           ///< how many lines left their place of the last frame; a leap counts as kChangesOfLeap, a way back to what was left lately as kChangesOfReturn more
   int tangles = 0;              ///< how many lines run across another's extension line
@@ -25,7 +26,7 @@ struct Outcome {
   using Tangled = std::pair<std::size_t, std::size_t>;
   std::vector<Tangled> tangled;
 
-  void begin(std::size_t ranks);
+  void begin(std::size_t ranks, bool zoomsNow = false);
   /// By more than rounding.
   [[nodiscard]] bool betterThan(const Outcome& other) const;
 };
@@ -53,7 +54,7 @@ class Mending {
   /// What is to be tried next, nothing when that was all. `outcome`: of the best attempt so far; `shortestFirst`: whether it placed the shortest lines first.
   /// First one line looks for another place: one that has just changed its place, since what pushed it may have a better place as well, or else, every kFramesToLookAround frames, any; otherwise
   /// those with which something is amiss, in turns. Then, of two lines that are in a tangle, the later one comes first, in turns; or, now and then, the shortest first again, if it is not so. Where few are
-  /// in a tangle kShuffles attempts at random come last: of what those in turns do not find they find as much as any other rule did, and they do not try the same in every frame.
+  /// in a tangle kShuffles attempts at random, or kShufflesZooming, come last: of what those in turns do not find they find as much as any other rule did, and they do not try the same in every frame.
   std::optional<Attempt> next(const Outcome& outcome, bool shortestFirst);
 
  private:

@@ -84,7 +84,7 @@ bool Placer::State::placeAll(const FrameToPlace& frame, std::size_t crowded, Lay
   for (const Measured& other : others) {
     if (hasOnePlace(other)) placeOther(other, frame, layout);
   }
-  outcome.begin(order.size());
+  outcome.begin(order.size(), foresight.zooms());
   bool cramped = false;
   const ObjectPlanesInFrame object{objectPlanes, objectPlaneUses, toleranceM};
   for (const std::size_t rank : past.placingOrder.ranks()) {

@@ -243,6 +243,13 @@ TEST_CASE("as the camera goes away, what will be too short to be measured is los
   CHECK_FALSE(inside(91).lastMoments);
   CHECK_FALSE(outside(91).lastMoments);
   CHECK_FALSE(outside(91).brief);
+  // But it is not shown anew when it is too short at the third look.
+  CHECK(inside(73).shortSoon);
+  CHECK(outside(73).shortSoon);
+  CHECK_FALSE(inside(72).shortSoon);
+  CHECK_FALSE(outside(72).shortSoon);
+  CHECK_FALSE(prospectOutside(seeing(10), seeing(9), rightBy(1.5), upright, 1000).shortSoon);
+  CHECK_FALSE(prospectOutside(seeing(10), seeing(10), rightBy(1.5), upright, 1000).shortSoon);
 }
 
 TEST_CASE("a place is lost as well when the viewport has no room for its label any more") {

@@ -24,6 +24,16 @@ ModelDefinition wallWithMast() {
   return definition;
 }
 
+/// The same wall, with a short line near its top, which goes up and out, and a rail along it at a height (m).
+ModelDefinition wallWithRail(double heightM) {
+  ModelDefinition definition = wallWithMast();
+  definition.parameters[1].annotation = "@Handle(scope=Rail, type=linear-center, orient=right, slip=scope)";
+  definition.build = [heightM](const Values&) {
+    return sceneOf({{"Wall", boxAt({-20, -10, -1}, {40, 20, 1})}, {"Plate", boxAt({-0.5, 8.9, 0}, {1, 0.2, 0.1})}, {"Rail", boxAt({-20, heightM, 0}, {40, 0.1, 0.1})}});
+  };
+  return definition;
+}
+
 /// How much of that wall is seen (m).
 constexpr double kSeenM = 4;
 
@@ -55,6 +65,19 @@ TEST_CASE("inside the model, a line that leads out of the picture gives way to o
   stage.placer.showHidden(true);
   stage.look(straightAt(0, kSeenM));
   CHECK(stage.find("Height") != nullptr);
+}
+
+TEST_CASE("inside the model, a line that leads out of the picture gives way to another's extension lines") {
+  Stage stage(wallWithRail(9.5));
+  stage.look(straightAt(9, kSeenM));
+  REQUIRE(stage.find("Width") != nullptr);
+  CHECK(stage.find("Width")->placement == PlacementKind::kOutside);
+  CHECK(stage.find("Height") == nullptr);
+
+  Stage below(wallWithRail(8.5));
+  below.look(straightAt(9, kSeenM));
+  REQUIRE(below.find("Height") != nullptr);
+  CHECK(below.find("Height")->placement == PlacementKind::kInside);
 }
 
 TEST_CASE("inside the model, a line that gave way comes back when it has had room for a while, and not before a still camera") {

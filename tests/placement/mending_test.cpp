@@ -109,6 +109,21 @@ TEST_CASE("more may change for a picture in which no line runs across something 
   CHECK(with(0).betterThan(nested));
 }
 
+TEST_CASE("while the camera comes nearer or goes away, more may change for each line less that runs across something") {
+  const auto with = [](int tangles, double changes, bool zooms) {
+    Outcome outcome = allOutside();
+    outcome.begin(kRanks, zooms);
+    outcome.tangles = tangles;
+    outcome.changes = changes;
+    return outcome;
+  };
+  for (const bool zooms : {false, true}) {
+    CHECK(with(1, 1, zooms).betterThan(with(2, 0, zooms)));
+    CHECK(with(1, 3, zooms).betterThan(with(2, 0, zooms)) == zooms);
+    CHECK_FALSE(with(1, 4, zooms).betterThan(with(2, 0, zooms)));
+  }
+}
+
 TEST_CASE("of two lines in a tangle the later one is to be placed before the earlier one, pair by pair") {
   const Outcome outcome = tangled(kTooManyToShuffle);
   Mending mending;
@@ -220,6 +235,8 @@ TEST_CASE("a frame has a bounded number of attempts") {
   outcome.amiss.assign(kRanks, 1);
   Mending mending;
   CHECK(attemptsAt(mending, outcome).size() == kMendingAttempts + 1 + kShuffles);
+  outcome.zooms = true;
+  CHECK(attemptsAt(mending, outcome).size() == kMendingAttempts + 1 + kShufflesZooming);
   outcome.tangles = kTooManyToShuffle;
   CHECK(attemptsAt(mending, outcome).size() == kMendingAttempts + 1);
 }
