@@ -155,6 +155,9 @@ inline constexpr int kFramesToLookAround = 3;
 /// Moved frames on end for which a switch or a choice that had no room or was inside the model, a line inside it that gave way to others, or one that could come out to an object plane, must have had
 /// a better kind of place before it takes it. Fewer: it comes and goes where there is hardly any room, as in a view from near by. More: it is still missing when the movement ends.
 inline constexpr int kPatienceFrames = 15;
+/// Moved frames for which a line inside the model that the picture's rim cuts off stays where it has come, though it runs across another's extension line. Fewer: some are shown for a moment only. More: they run
+/// across extension lines for longer.
+inline constexpr int kCutStaysFrames = 10;
 
 /// rad. A frame in which the view turns by more counts as several for how long a scope has been in sight, so that a quick turn drops what it hides at once.
 inline constexpr double kFrameTurnRad = 0.0174;

@@ -13,6 +13,11 @@ namespace {
 /// Moved frames for which one line stands for a chain that had no room.
 int framesForSingle(const ChoiceContext& context) { return context.foresight.zooms() ? kSingleStaysZooming : kReturnFrames; }
 
+/// Whether a choice was that base line itself, inside the model.
+bool isInside(const Identity& choice, const UsableBaseLine& base) {
+  return choice.plane < 0 && choice.scopeIndex == base.scopeIndex && choice.baseLine == base.line.number;
+}
+
 }  // namespace
 
 bool Chooser::choose(const Measured& measured, const ChoiceContext& context, History& history) {
@@ -169,10 +174,15 @@ bool Chooser::chooseBest(const Measured& measured, const ChoiceContext& context,
 /// out of the picture across others says less than it confuses. Its label waits for what else is there.
 bool Chooser::chooseInside(const CandidateContext& candidates, const ChoiceContext& context) {
   const Landed& landed = context.occupied.landed();
-  const auto isFree = [&](const Segment2& line) { return !landed.runsInto(line) && !landed.coversLabel(line) && !landed.crossesExtension(line); };
+  const History& history = candidates.history;
+  const auto isFree = [&](const UsableBaseLine& base) {
+    if (landed.runsInto(base.screen) || landed.coversLabel(base.screen)) return false;
+    const bool justCame = isInside(history.last(), base) && history.framesHeld() < kCutStaysFrames;
+    return justCame || !landed.crossesExtension(base.screen);
+  };
   candidates_.clear();
   for (const UsableBaseLine& base : bases_) {
-    if (!isWhole(base.screen, context.view) && !context.showAll && !isFree(base.screen)) continue;
+    if (!isWhole(base.screen, context.view) && !context.showAll && !isFree(base)) continue;
     gatherInsideCandidate(candidates, base, context.scopes[base.scope].box, candidates_);
   }
   if (candidates_.empty()) {

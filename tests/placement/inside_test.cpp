@@ -67,7 +67,7 @@ TEST_CASE("inside the model, a line that leads out of the picture gives way to o
   CHECK(stage.find("Height") != nullptr);
 }
 
-TEST_CASE("inside the model, a line that leads out of the picture gives way to another's extension lines") {
+TEST_CASE("inside the model, a line that leads out of the picture gives way to another's extension lines, but not at once when it has just come") {
   Stage stage(wallWithRail(9.5));
   stage.look(straightAt(9, kSeenM));
   REQUIRE(stage.find("Width") != nullptr);
@@ -78,6 +78,19 @@ TEST_CASE("inside the model, a line that leads out of the picture gives way to a
   below.look(straightAt(9, kSeenM));
   REQUIRE(below.find("Height") != nullptr);
   CHECK(below.find("Height")->placement == PlacementKind::kInside);
+
+  // At first the plate is out of the picture.
+  Stage moving(wallWithRail(9.5));
+  moving.look(straightAt(11.1, kSeenM));
+  REQUIRE(moving.find("Height") != nullptr);
+  REQUIRE(moving.find("Width") == nullptr);
+  int frames = 0;
+  for (; moving.find("Height") != nullptr && frames < 100; ++frames) {
+    moving.look(straightAt(10.9 - 0.01 * frames, kSeenM));
+    REQUIRE(moving.find("Width") != nullptr);
+  }
+  // The first picture, placed in two rounds, counts as one frame more.
+  CHECK(frames == kCutStaysFrames - 1);
 }
 
 TEST_CASE("inside the model, a line that gave way comes back when it has had room for a while, and not before a still camera") {
