@@ -119,11 +119,11 @@ inline constexpr double kChangeShareToUntangle = 0.4;
 /// What it costs there that a line runs across another's extension line, that a longer line lies nearer to the model than a shorter one beside it, and that a line is inside
 /// the model. A change costs once, these as long as they last, so each is worth a change or more; in px it is how far lines go for it.
 inline constexpr double kScoreTangle = -18.0 * kHandleSpacingPx;
-/// By so much more for such a line while the camera comes nearer or goes away: the picture stays full for long then, and lines move for other reasons anyway. Less: such lines last while the picture grows.
-/// More: more changes, some of which are taken back.
-inline constexpr double kTangleFactorZooming = 2.5;
 inline constexpr double kScoreNestedWrongly = -40.0 * kHandleSpacingPx;
 inline constexpr double kScoreInside = -40.0 * kHandleSpacingPx;
+/// The first two cost by so much more while the camera comes nearer or goes away: what is amiss lasts long then, and lines move for other reasons anyway. Less: it lasts while the picture grows. More: more
+/// changes, some of which are taken back.
+inline constexpr double kAmissFactorZooming = 2.5;
 /// What it costs a line inside the model to run across another's extension line, through a label, or into a line inside that is still to be placed: more than staying is worth, since
 /// its other base lines are near by.
 inline constexpr double kScoreAmissInside = -22.0 * kHandleSpacingPx;

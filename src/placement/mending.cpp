@@ -36,8 +36,8 @@ void Outcome::begin(std::size_t ranks, bool zoomsNow) {
 
 bool Outcome::betterThan(const Outcome& other) const {
   constexpr double kLeastGainPx = 1.0;
-  const double tanglePx = kScoreTangle * (zooms ? kTangleFactorZooming : 1.0);
-  const auto amissPx = [&](const Outcome& outcome) { return tanglePx * outcome.tangles + kScoreNestedWrongly * outcome.nestedWrongly; };
+  const double factor = zooms ? kAmissFactorZooming : 1.0;
+  const auto amissPx = [&](const Outcome& outcome) { return factor * (kScoreTangle * outcome.tangles + kScoreNestedWrongly * outcome.nestedWrongly); };
   // What leaves the picture without any may change more; what would bring the first one in for fewer changes must save as many.
   const bool untangles = (tangles == 0) != (other.tangles == 0);
   const double changePx = kScoreChange * (untangles ? kChangeShareToUntangle : 1.0);
