@@ -113,7 +113,7 @@ inline constexpr int kReturnFrames = 20;
 inline constexpr double kScoreChange = -13.0 * kHandleSpacingPx;
 inline constexpr double kChangesOfLeap = 3.5;
 inline constexpr double kChangesOfReturn = 8.0;
-/// The same, as a share, where it leaves no line at all that runs across another's extension line, since a picture without is read at a glance. Less: more such pictures, and more changes. For the last
+/// The price of a change, as a share, where it leaves no line at all that runs across another's extension line, since a picture without is read at a glance. Less: more such pictures, and more changes. For the last
 /// of them alone: at a low price for all, lines change places without end where they are so crowded that some stay in each other's way.
 inline constexpr double kChangeShareToUntangle = 0.4;
 /// What it costs there that a line runs across another's extension line, that a longer line lies nearer to the model than a shorter one beside it, and that a line is inside

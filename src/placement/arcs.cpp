@@ -111,10 +111,7 @@ std::optional<HiddenReason> placeArc(const OtherHandle& handle, const OtherHandl
       if (offerScore <= bestScore || !project(arc, context.view, points)) return;
       // Both ends of the arms count, since the hand takes one of them; and what the arc says.
       const Box2 label = labelInPicture(arc, labelSize, context.view);
-      Box2 needed = label;
-      needed.add(context.view.toScreen(arc.center));
-      needed.add(points[kArcSamples]);
-      if (!onScreen(needed, context.view)) return;
+      if (!isWhole({context.view.toScreen(arc.center), points[kArcSamples]}, context.view) || !onScreen(label, context.view)) return;
       found = true;
       bestScore = offerScore;
       placed.scope = scope;

@@ -26,6 +26,7 @@ void Outcome::begin(std::size_t ranks, bool zoomsNow) {
   zooms = zoomsNow;
   worth = 0;
   changes = 0;
+  returns = 0;
   changed.assign(ranks, 0);
   outside.assign(ranks, 0);
   amiss.assign(ranks, 0);
@@ -41,7 +42,8 @@ bool Outcome::betterThan(const Outcome& other) const {
   // What leaves the picture without any may change more; what would bring the first one in for fewer changes must save as many.
   const bool untangles = (tangles == 0) != (other.tangles == 0);
   const double changePx = kScoreChange * (untangles ? kChangeShareToUntangle : 1.0);
-  return worth - other.worth + amissPx(*this) - amissPx(other) + changePx * (changes - other.changes) > kLeastGainPx;
+  const double returnPx = kScoreChange * kChangesOfReturn;
+  return worth - other.worth + amissPx(*this) - amissPx(other) + changePx * (changes - other.changes) + returnPx * (returns - other.returns) > kLeastGainPx;
 }
 
 void Mending::begin() {

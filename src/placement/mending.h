@@ -15,7 +15,8 @@ namespace dimline {
 struct Outcome {
   bool zooms = false;           ///< the camera comes nearer or goes away
   double worth = 0;             ///< px, the sum of what the chosen places are worth by themselves (Chooser::worth())
-  double changes = 0;           ///< how many lines left their place of the last frame; a leap counts as kChangesOfLeap, a way back to what was left lately as kChangesOfReturn more
+  double changes = 0;           ///< how many lines left their place of the last frame; a leap counts as kChangesOfLeap
+  int returns = 0;              ///< how many of them went back to what they had left lately
   int tangles = 0;              ///< how many lines run across another's extension line
   int nestedWrongly = 0;        ///< how many lines have a shorter one outside, or a longer one within
   std::vector<char> changed;    ///< one a rank: it is among those

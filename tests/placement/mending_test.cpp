@@ -109,6 +109,20 @@ TEST_CASE("more may change for a picture in which no line runs across something 
   CHECK(with(0).betterThan(nested));
 }
 
+TEST_CASE("a way back to what was left lately costs more than any other change, for a picture without a line that runs across something too") {
+  for (const bool zooms : {false, true}) {
+    Outcome amiss = allOutside();
+    amiss.begin(kRanks, zooms);
+    amiss.tangles = 1;
+    Outcome moves = allOutside();
+    moves.begin(kRanks, zooms);
+    moves.changes = 1;
+    CHECK(moves.betterThan(amiss));
+    moves.returns = 1;
+    CHECK_FALSE(moves.betterThan(amiss));
+  }
+}
+
 TEST_CASE("while the camera comes nearer or goes away, more may change for each line less that runs across something") {
   const auto with = [](int tangles, double changes, bool zooms) {
     Outcome outcome = allOutside();
