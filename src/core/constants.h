@@ -179,8 +179,8 @@ inline constexpr double kSoonGoneZooming = 3.5;
 /// Less: lines come out, and chains are begun, for a moment. More: lines stay inside though there is room, and rows have no chains.
 inline constexpr double kBriefZoom = 0.7;
 /// Of kLooksAheadZooming looks: a place outside the model that is lost at one of so many is not begun; nor is a base line inside it of which nothing is left in the picture at one of so many, when it is
-/// all in the picture now, and when it is cut off; nor is a line shown anew, while the camera goes away, whose base line is too short at one of so many. Fewer: while the camera comes nearer, lines hop from one place to another for a frame or two each, or are
-/// shown at the rim, or while they shrink, for their last moments. More: lines are inside though there is room, and features in view have no line.
+/// all in the picture now, and when it is cut off; nor is a line shown anew, while the camera goes away, whose base line is too short at one of so many. Fewer: while the camera comes nearer, lines hop from
+/// one place to another for a frame or two each, or are shown at the rim, or while they shrink, for their last moments. More: lines are inside though there is room, and features in view have no line.
 inline constexpr std::size_t kLooksAtLastMoments = 1;
 inline constexpr std::size_t kLooksAtLastMomentsInside = 2;
 inline constexpr std::size_t kLooksAtLastMomentsCut = 4;

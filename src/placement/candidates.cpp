@@ -105,6 +105,11 @@ bool isFading(const CandidateContext& context, std::size_t scope) {
   return context.annotation.occlusion && !context.showAll && !context.sights[scope].plain();
 }
 
+/// Whether a line that is not shown would be for a few frames only, before it is too short again.
+bool isShownAnewInVain(const CandidateContext& context, const Foresight::Prospect& prospect) {
+  return prospect.shortSoon && context.history.hidden() && !context.showAll;
+}
+
 /// Scores the placed candidate and keeps it.
 void keep(const CandidateContext& context, const UsableBaseLine& base, Candidate& candidate, std::vector<Candidate>& candidates) {
   // Before a still camera it is the place itself that is looked for: the same identity may have others, on guides.
@@ -123,9 +128,8 @@ void keep(const CandidateContext& context, const UsableBaseLine& base, Candidate
     const Foresight::Prospect prospect =
         context.foresight.prospect({base.line, context.annotation.slip, candidate.plane, identity.direction, candidate.offsetM, candidate.line,
                                     chain ? 0.0 : context.leastPx, chain ? Vec2(0.0) : context.textSize});
-    if (prospect.shortSoon && context.history.hidden() && !context.showAll) return;
     // No place is begun for its last moments, and a line inside the model does not come out for a moment.
-    if (prospect.lastMoments || (prospect.brief && (context.history.wasInside() || (context.lasting && context.foresight.zooms())))) return;
+    if (isShownAnewInVain(context, prospect) || prospect.lastMoments || (prospect.brief && (context.history.wasInside() || (context.lasting && context.foresight.zooms())))) return;
     const bool behind = !chain && isBehindModel(context, base);
     if (behind && prospect.brief && context.plainInside) return;
     candidate.score += prospect.price;
@@ -270,8 +274,7 @@ void gatherInsideCandidate(const CandidateContext& context, const UsableBaseLine
   const bool stays = candidate.identity == context.history.last();
   const Foresight::Prospect prospect = context.foresight.prospectInside(base.line.segment, isWhole(base.screen, context.view), context.leastPx);
   // The one that is shown stays to the last.
-  const bool soonGone = prospect.lastMoments || (prospect.shortSoon && context.history.hidden());
-  if (soonGone && !stays && !context.showAll) return;
+  if ((prospect.lastMoments || isShownAnewInVain(context, prospect)) && !stays && !context.showAll) return;
   candidate.scope = base.scope;
   candidate.base = candidate.foot = candidate.line = base.line.segment;
   candidate.baseScreen = candidate.footScreen = candidate.lineScreen = base.screen;
