@@ -85,6 +85,11 @@ std::optional<std::size_t> Mending::nextToLook(const Outcome& outcome) {
 }
 
 std::optional<Attempt> Mending::nextOrder(const Outcome& outcome, bool shortestFirst) {
+  if (outcome.returns > 0) {
+    std::size_t last = outcome.returned;
+    const auto pushed = nextInTurn(outcome.changed.size(), last, [&](std::size_t rank) { return rank != outcome.returned && outcome.changed[rank] != 0; });
+    if (pushed) return Attempt{.puts = {{{.rank = outcome.returned, .before = *pushed}}}, .putCount = 1};
+  }
   const bool back = !shortestFirst && (outcome.tangled.empty() || outcome.nestedWrongly > 0);
   if (outcome.tangled.empty() && !back) return std::nullopt;
   const std::size_t turn = orders_++;

@@ -153,6 +153,23 @@ TEST_CASE("of two lines in a tangle the later one is to be placed before the ear
   CHECK(put == std::vector<std::pair<std::size_t, std::size_t>>{{2, 0}, {3, 1}, {2, 0}});
 }
 
+TEST_CASE("a line that went back to what it had left lately is to be placed before who else has changed its place") {
+  Outcome outcome = tangled(kTooManyToShuffle);
+  outcome.returns = 1;
+  outcome.returned = 3;
+  outcome.changed[3] = 1;
+  Mending mending;
+  const auto puts = [&] {
+    const auto orders = ordersOf(attemptsAt(mending, outcome));
+    REQUIRE(orders.size() == 1);
+    REQUIRE(orders[0].putCount == 1);
+    return std::pair(orders[0].puts[0].rank, orders[0].puts[0].before);
+  };
+  CHECK(puts() == std::pair<std::size_t, std::size_t>(2, 0));   // of the first two in a tangle: nobody else has
+  outcome.changed[1] = 1;
+  CHECK(puts() == std::pair<std::size_t, std::size_t>(3, 1));
+}
+
 TEST_CASE("where nothing is amiss the shortest come first again, if not at once, when that is no worse") {
   const Outcome fine = allOutside();
   Mending mending;
