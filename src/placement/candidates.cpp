@@ -139,10 +139,6 @@ void keep(const CandidateContext& context, const UsableBaseLine& base, Candidate
   candidates.push_back(candidate);
 }
 
-bool sameBaseLine(const UsableBaseLine& base, const Identity& identity) {
-  return base.scopeIndex == identity.scopeIndex && base.cluster == identity.chain && base.line.number == identity.baseLine;
-}
-
 /// Calls `use(candidate)` for each plane of a base line and each direction on it. A chain slips away from its members only.
 template <typename Use>
 void forEachSlip(const CandidateContext& context, const UsableBaseLine& base, Use use) {
@@ -169,6 +165,10 @@ void BaseLineTally::add(const BaseLineTally& other) {
 }
 
 double leastLengthPx(const Annotation& annotation) { return std::max(kMinLineLengthPx, annotation.minLengthPx); }
+
+bool sameBaseLine(const UsableBaseLine& base, const Identity& identity) {
+  return base.scopeIndex == identity.scopeIndex && base.cluster == identity.chain && base.line.number == identity.baseLine;
+}
 
 bool isBehindModel(const CandidateContext& context, const UsableBaseLine& base) {
   if (turnedAway(base.line, context.view, 0.0)) return true;

@@ -83,6 +83,9 @@ struct CandidateContext {
 /// The least length on screen at which a line of this annotation is shown.
 double leastLengthPx(const Annotation& annotation);
 
+/// Whether a choice was made for that base line, of a scope or of a chain.
+bool sameBaseLine(const UsableBaseLine& base, const Identity& identity);
+
 /// Whether the model is before a base line of a single scope: before half of an edge, or the scope itself before a line that its faces hide.
 bool isBehindModel(const CandidateContext& context, const UsableBaseLine& base);
 

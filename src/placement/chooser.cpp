@@ -13,11 +13,6 @@ namespace {
 /// Moved frames for which one line stands for a chain that had no room.
 int framesForSingle(const ChoiceContext& context) { return context.foresight.zooms() ? kSingleStaysZooming : kReturnFrames; }
 
-/// Whether a choice was that base line itself, inside the model.
-bool isInside(const Identity& choice, const UsableBaseLine& base) {
-  return choice.plane < 0 && choice.scopeIndex == base.scopeIndex && choice.baseLine == base.line.number;
-}
-
 }  // namespace
 
 bool Chooser::choose(const Measured& measured, const ChoiceContext& context, History& history) {
@@ -177,7 +172,7 @@ bool Chooser::chooseInside(const CandidateContext& candidates, const ChoiceConte
   const History& history = candidates.history;
   const auto isFree = [&](const UsableBaseLine& base) {
     if (landed.runsInto(base.screen) || landed.coversLabel(base.screen)) return false;
-    const bool justCame = isInside(history.last(), base) && history.framesHeld() < kCutStaysFrames;
+    const bool justCame = history.wasInside() && sameBaseLine(base, history.last()) && history.framesHeld() < kCutStaysFrames;
     return justCame || !landed.crossesExtension(base.screen);
   };
   candidates_.clear();

@@ -100,8 +100,8 @@ void Landed::add(const PlacedHandle& handle, const View& view) {
 Landed::Crossings Landed::crossings(const Segment2& base, const Segment2& foot, const Segment2& line) const {
   Crossings found;
   const auto add = [&](const Segment2& part, bool isLine) {
-    const bool overLine = std::ranges::any_of(lines_, [&](const Line& l) { return segmentsCross(part, l.segment, kCrossingPx); });
-    const bool overExtension = std::ranges::any_of(extensions_, [&](const Extension& e) { return segmentsCross(part, e.segment, kCrossingPx); });
+    const bool overLine = crossesLine(part);
+    const bool overExtension = crossesExtension(part);
     found.lines = found.lines || overLine || overExtension;
     found.extensions = found.extensions || (isLine ? overExtension : overLine);
     found.labels = found.labels || coversLabel(part);
@@ -129,7 +129,7 @@ Landed::Tangle Landed::tangle(const Segment2& line, std::span<const Segment2> ex
 Landed::Crossings Landed::extensionCrossings(std::span<const Segment2> extensions) const {
   Crossings found;
   for (const Segment2& part : extensions) {
-    found.extensions = found.extensions || std::ranges::any_of(lines_, [&](const Line& l) { return segmentsCross(part, l.segment, kCrossingPx); });
+    found.extensions = found.extensions || crossesLine(part);
     found.labels = found.labels || coversLabel(part);
   }
   return found;
@@ -162,11 +162,15 @@ bool Landed::liesOnLine(const Segment2& segment) const {
 }
 
 bool Landed::runsInto(const Segment2& segment) const {
-  return liesOnLine(segment) || std::ranges::any_of(lines_, [&](const Line& l) { return segmentsCross(segment, l.segment, kCrossingPx); });
+  return liesOnLine(segment) || crossesLine(segment);
 }
 
-bool Landed::crossesExtension(const Segment2& line) const {
-  return std::ranges::any_of(extensions_, [&](const Extension& e) { return segmentsCross(line, e.segment, kCrossingPx); });
+bool Landed::crossesLine(const Segment2& segment) const {
+  return std::ranges::any_of(lines_, [&](const Line& l) { return segmentsCross(segment, l.segment, kCrossingPx); });
+}
+
+bool Landed::crossesExtension(const Segment2& segment) const {
+  return std::ranges::any_of(extensions_, [&](const Extension& e) { return segmentsCross(segment, e.segment, kCrossingPx); });
 }
 
 Landed::Across Landed::across(const Segment2& segment) const {
@@ -182,7 +186,7 @@ bool Landed::coversLabel(const Segment2& segment) const {
 bool Landed::hasRoom(const Segment2& line, int guide) const {
   return std::ranges::none_of(lines_,
                               [&](const Line& l) { return l.guide != guide && distanceBetween(l.segment, line) < kHandleSpacingPx; }) &&
-         std::ranges::none_of(extensions_, [&](const Extension& e) { return segmentsCross(e.segment, line, kCrossingPx); }) &&
+         !crossesExtension(line) &&
          std::ranges::none_of(labels_, [&](const Box2& label) { return meets(line, label.grown(kLabelClearancePx)); });
 }
 

@@ -72,8 +72,8 @@ class Landed {
   /// Whether a line comes nearer than `px` to one that has landed.
   [[nodiscard]] bool comesWithin(double px, const Segment2& line) const;
 
-  /// Whether a line runs across an extension line.
-  [[nodiscard]] bool crossesExtension(const Segment2& line) const;
+  /// Whether a segment crosses an extension line that has landed.
+  [[nodiscard]] bool crossesExtension(const Segment2& segment) const;
   /// Whether a segment crosses a line that has landed, or lies on one.
   [[nodiscard]] bool runsInto(const Segment2& segment) const;
   /// How many of the lines, the extension lines and the labels that have landed a segment runs across.
@@ -104,6 +104,8 @@ class Landed {
     int parameter = -1;
     double lengthM = 0;   ///< of its base line
   };
+  [[nodiscard]] bool crossesLine(const Segment2& segment) const;
+
   std::vector<Line> lines_;
   std::vector<Extension> extensions_;
   std::vector<Box2> labels_;
