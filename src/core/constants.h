@@ -152,12 +152,12 @@ inline constexpr int kFirstPictureRounds = 2;
 /// Moved frames after which any line may look for a better place, though nothing is amiss with it.
 inline constexpr int kFramesToLookAround = 3;
 
-/// Moved frames on end for which a switch or a choice that had no room or was inside the model, a line inside it that gave way to others, or one that could come out to an object plane, must have had
+/// Moved frames on end for which a switch or a choice that had no room or was inside the model, a line not in plain view that gave way to others, or one that could come out to an object plane, must have had
 /// a better kind of place before it takes it. Fewer: it comes and goes where there is hardly any room, as in a view from near by. More: it is still missing when the movement ends.
 inline constexpr int kPatienceFrames = 15;
-/// Moved frames for which a line inside the model that the picture's rim cuts off stays where it has come, though it runs across another's extension line. Fewer: some are shown for a moment only. More: they run
-/// across extension lines for longer.
-inline constexpr int kCutStaysFrames = 10;
+/// Moved frames for which a line inside the model that is not in plain view stays where it has come, though it runs across another's extension line: more than a change that is taken back lasts. Fewer: some are shown
+/// for a moment only. More: they run across extension lines for longer.
+inline constexpr int kPartlySeenStaysFrames = 16;
 
 /// rad. A frame in which the view turns by more counts as several for how long a scope has been in sight, so that a quick turn drops what it hides at once.
 inline constexpr double kFrameTurnRad = 0.0174;
@@ -274,6 +274,10 @@ inline constexpr double kPlentySeenShare = 0.003;
 inline constexpr double kSeenShareToShow = 0.12;
 inline constexpr double kSeenShareToKeep = 0.06;
 inline constexpr double kSeenShareToShowAgain = 0.5;
+/// Shares of a scope that are seen where it is in plain view; the lower one for a line inside that is shown already, since behind sails and leaves the share leaps. Where less is seen, a line inside, and while the
+/// camera comes nearer or goes away a new one outside, is not shown across others' extension lines. Higher: more lines are missing. Lower: features that are nearly hidden clutter the picture.
+inline constexpr double kSeenShareInPlainView = 0.5;
+inline constexpr double kSeenShareToStayInPlainView = 0.3;
 
 /// Moved frames on end in which too little of a scope is seen before it counts as hidden. Behind leaves, and where a wall is seen at a grazing angle, a scope has few
 /// samples and a frame without any means little. Fewer: lines leave their features more often. More: a line stays long after its feature went out of sight.

@@ -145,6 +145,9 @@ bool Chooser::chooseBest(const Measured& measured, const ChoiceContext& context,
       if (candidate.lineScreen.start != triedAt.start) among = inPlace();
       if (trial_.lines().size() > 1) trial_.addMembers(among, context);
       trial_.pushClear(candidate, among, measured, context, history);
+      // A feature that is seen in part gets no new line that confuses the picture; while the view only turns, it soon is seen better.
+      const bool mayCross = !context.foresight.zooms() || context.showAll || candidate.identity == history.last() || context.inPlainView(candidate.scope);
+      if (among.landed.extensions && !mayCross) continue;
       const double wish = among.score + forLabels(among);
       if (beaten(wish)) continue;
       // The padded fields know nothing of lines inside the model.
@@ -165,23 +168,23 @@ bool Chooser::chooseBest(const Measured& measured, const ChoiceContext& context,
   return found;
 }
 
-/// The fallback: the base lines themselves (algorithm 1, line 9), the best that runs into no other line, or else the best of those that are in view from end to end: one that leads
-/// out of the picture across others says less than it confuses. Its label waits for what else is there.
+/// The fallback: the base lines themselves (algorithm 1, line 9), the best that runs into no other line, or else the best of those in plain view: one that leads out of the picture, or measures what the model
+/// mostly hides, says less than it confuses when it runs across others. Its label waits for what else is there.
 bool Chooser::chooseInside(const CandidateContext& candidates, const ChoiceContext& context) {
   const Landed& landed = context.occupied.landed();
   const History& history = candidates.history;
-  const auto isFree = [&](const UsableBaseLine& base) {
+  const auto mayBeShown = [&](const UsableBaseLine& base) {
+    const bool stays = history.wasInside() && sameBaseLine(base, history.last());
+    if (context.showAll || context.inPlainView(base.scope, stays)) return true;
     if (landed.runsInto(base.screen) || landed.coversLabel(base.screen)) return false;
-    const bool justCame = history.wasInside() && sameBaseLine(base, history.last()) && history.framesHeld() < kCutStaysFrames;
-    return justCame || !landed.crossesExtension(base.screen);
+    return (stays && history.framesHeld() < kPartlySeenStaysFrames) || !landed.crossesExtension(base.screen);
   };
   candidates_.clear();
   for (const UsableBaseLine& base : bases_) {
-    if (!isWhole(base.screen, context.view) && !context.showAll && !isFree(base)) continue;
-    gatherInsideCandidate(candidates, base, context.scopes[base.scope].box, candidates_);
+    if (mayBeShown(base)) gatherInsideCandidate(candidates, base, context.scopes[base.scope].box, candidates_);
+    else ++(wholeInView(context.view, context.scopes[base.scope].box) ? tally_.occluded : tally_.outOfView);
   }
   if (candidates_.empty()) {
-    tally_.outOfView += static_cast<int>(bases_.size());
     cramped_ = true;
     return false;
   }
@@ -191,9 +194,9 @@ bool Chooser::chooseInside(const CandidateContext& candidates, const ChoiceConte
     c.score += kScoreHiddenScope * (1 - context.sights[c.scope].share());
     if (context.lookAhead.runsIntoInside(c.lineScreen)) c.score += kScoreAmissInside;
   }
-  // Who comes anew would have to wait with a base line that the picture's rim cuts off (Placer): a whole one comes first, where there is any.
+  // Who comes anew would have to wait with a base line that is not in plain view (Placer): one that is comes first, where there is any.
   const bool anew = candidates.history.shownAnew();
-  const auto rank = [&](const Candidate& c) { return std::tuple(!landed.runsInto(c.lineScreen), anew && isWhole(c.baseScreen, context.view), c.score); };
+  const auto rank = [&](const Candidate& c) { return std::tuple(!landed.runsInto(c.lineScreen), anew && context.inPlainView(c.scope), c.score); };
   const auto best = std::ranges::max_element(candidates_, {}, rank);
   cramped_ = landed.runsInto(best->lineScreen);
   winner_ = *best;

@@ -21,7 +21,7 @@ enum class PlacementKind : std::uint8_t { kOutside, kGuide, kInside };
 enum class PlaneKind : std::uint8_t { kNone, kScope, kBillboard, kObject };
 enum class Facing : std::uint8_t { kNone, kFront, kBack };
 
-/// Why an annotated parameter shows no handle. Out of view: nothing of what it measures is in the picture, or a part only, and its line would run across others inside the model.
+/// Why an annotated parameter shows no handle. Out of view, or occluded: what it measures is so as a whole, or in part, and its line would run across others.
 enum class HiddenReason : std::uint8_t { kOccluded, kOutOfView, kTooShort, kForeshortened, kCrowded, kNoScope };
 
 /// What makes a candidate the same one in two frames (DESIGN.md section 4): for damping, animation and hysteresis. Of a handle that is no line, `plane` is the direction in which it

@@ -52,6 +52,7 @@ void LookAhead::project(std::span<const Measured> lines, std::span<const std::ui
   outside_.forgetAhead(lines.size());
   inside_.forgetAhead(lines.size());
   free_.clear();
+  inside_.present.reserve(lines.size());   // one a parameter at most, however few there were until now
   const auto inFront = [&](const Segment& s) { return view.inFrontOfNear(s.start) && view.inFrontOfNear(s.end); };
   for (std::size_t turn = order.size(); turn-- > 0;) {
     const std::size_t rank = order[turn];

@@ -78,6 +78,7 @@ bool Placer::State::placeAll(const FrameToPlace& frame, std::size_t crowded, Lay
   recycle(layout.others, spareHandles, others.size());
   layout.others.reserve(others.size());   // however many of them found no place until now
   layout.hidden.clear();
+  layout.hidden.reserve(order.size() + others.size());   // however few of them found none
   occupied.clear();
   // What is held stays where it is: shorter lines come before it, but must leave it room.
   for (const PlacedLine& line : held) occupied.reserve(line);
@@ -99,9 +100,7 @@ bool Placer::State::placeAll(const FrameToPlace& frame, std::size_t crowded, Lay
     }
     if (rank < crowded) {
       layout.hidden.push_back({measured.parameter, measured.scopes.empty() ? HiddenReason::kNoScope : HiddenReason::kCrowded});
-      // Or an attempt would gain by crowding a line out.
-      outcome.worth += kScoreInside;
-      if (past.histories[measured.parameter].any()) outcome.changes += 1;
+      judgeHidden(past.histories[measured.parameter]);
       past.histories[measured.parameter].choseNone();
     } else {
       const Identity* avoid = avoided && avoided->rank == rank ? &avoided->place : nullptr;
@@ -192,14 +191,16 @@ bool Placer::State::placeLines(std::size_t rank, const ChoiceContext& context, d
   History& history = past.histories[measured.parameter];
   label(measured, parameters[measured.parameter], value);
   const bool found = chooser.choose(measured, context, history);
-  // A line inside the model that is cut off comes, or comes back after it gave way to others, when it has had a place for a while: at the picture's rim it may have one for a moment only.
+  // A line of what is not in plain view comes, inside the model, or comes back after it gave way to others, when it has had a place for a while: it may have one for a moment only.
   const bool comes = history.hiddenForWantOfRoom() || (history.hidden() && chooser.winner().placement == PlacementKind::kInside);
-  const bool waits = found && patient() && comes && !isWhole(chooser.winner().baseScreen, context.view) && !history.betterIsThere();
+  const bool waits = found && patient() && comes && !context.inPlainView(chooser.winner().scope) && !history.betterIsThere();
   if (!found || waits) {
     BaseLineTally tally = scopesOutOfSight(measured);
     tally.add(chooser.tally());
     layout.hidden.push_back({measured.parameter, reasonFor(tally, !measured.scopes.empty())});
-    history.choseNone(waits || chooser.cramped());
+    const bool forWantOfRoom = waits || chooser.cramped();
+    if (forWantOfRoom) judgeHidden(history);
+    history.choseNone(forWantOfRoom);
     return false;
   }
   judgeChoice(rank, history);
@@ -253,6 +254,12 @@ void Placer::State::judgeChoice(std::size_t rank, const History& history) {
       outcome.returned = rank;
     }
   }
+}
+
+/// Adds what it is worth that a line has no room, or an attempt would gain by hiding it.
+void Placer::State::judgeHidden(const History& history) {
+  outcome.worth += kScoreInside;
+  if (history.any()) outcome.changes += 1;
 }
 
 /// Writes the chosen lines into the layout.

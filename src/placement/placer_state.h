@@ -126,6 +126,7 @@ struct Placer::State {
   bool placeLines(std::size_t rank, const ChoiceContext& context, double value, Layout& layout);
   void noteChoice(const Measured& measured);
   void judgeChoice(std::size_t rank, const History& history);
+  void judgeHidden(const History& history);
   void landChoice(const Measured& measured, double value, Layout& layout);
   void landHeld(Measured& measured, const PlacedLine& held, Layout& layout);
   int guideThrough(const PlacedLine& line);

@@ -31,6 +31,9 @@ struct ChoiceContext {
   const Identity* avoid = nullptr;          ///< a place that is not looked at
   bool asksForRoom = false;                 ///< labels may yet give way, in another round of the same frame
   bool showAll = false;                     ///< base lines that are short or point at the viewer can be used too
+
+  /// Whether a scope is in plain view; `stays`: a line inside the model showed it in the last frame.
+  [[nodiscard]] bool inPlainView(std::size_t scope, bool stays = false) const { return dimline::inPlainView(view, scopes[scope].box, sights[scope], stays); }
 };
 
 /// One line of a choice: the line itself, or a member of its chain.

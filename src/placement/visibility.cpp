@@ -7,32 +7,39 @@
 
 namespace dimline {
 
-bool inView(const View& view, const Obb& box) {
-  const auto pixels = [&](const Vec3& v, double one) { return Vec3(view.worldToPixels() * Vec4(v, one)); };
-  // The sides of the view frustum that a point lies beyond, one bit each: near, left, right, top, bottom.
-  const auto sidesBeyond = [&](const Vec3& h, double depth) {
-    unsigned beyond = 0;
-    if (!(depth >= view.nearM())) beyond |= 1U;
-    if (h.x < 0) beyond |= 2U;
-    if (h.x > view.widthPx() * h.z) beyond |= 4U;
-    if (h.y < 0) beyond |= 8U;
-    if (h.y > view.heightPx() * h.z) beyond |= 16U;
-    return beyond;
-  };
-  // Of most boxes the middle is in view, and then they are.
-  const Vec3 middle = box.center();
-  if (sidesBeyond(pixels(middle, 1.0), view.depth(middle)) == 0) return true;
+namespace {
+
+/// Which sides of the view frustum a box's corners lie beyond: near, left, right, top, bottom, one bit each.
+struct Beyond {
+  unsigned all = 0x1F;   ///< those that all of them do
+  unsigned any = 0;      ///< those that any does
+};
+
+Vec3 pixels(const View& view, const Vec3& v, double one) { return Vec3(view.worldToPixels() * Vec4(v, one)); }
+
+/// Of a point, by its homogeneous pixels and its depth.
+unsigned sidesBeyond(const View& view, const Vec3& h, double depth) {
+  unsigned beyond = 0;
+  if (!(depth >= view.nearM())) beyond |= 1U;
+  if (h.x < 0) beyond |= 2U;
+  if (h.x > view.widthPx() * h.z) beyond |= 4U;
+  if (h.y < 0) beyond |= 8U;
+  if (h.y > view.heightPx() * h.z) beyond |= 16U;
+  return beyond;
+}
+
+Beyond sidesBeyond(const View& view, const Obb& box) {
   // Homogeneous pixels, and the depth, are linear in the world: what the box's sides add to its origin's gives all corners.
   std::array<Vec3, 3> side;
   std::array<double, 3> deeper;
   for (int axis = 0; axis < 3; ++axis) {
     const Vec3 v = box.axes[static_cast<std::size_t>(axis)] * box.size[axis];
-    side[static_cast<std::size_t>(axis)] = pixels(v, 0.0);
+    side[static_cast<std::size_t>(axis)] = pixels(view, v, 0.0);
     deeper[static_cast<std::size_t>(axis)] = glm::dot(v, view.forward());
   }
-  const Vec3 origin = pixels(box.origin, 1.0);
+  const Vec3 origin = pixels(view, box.origin, 1.0);
   const double originDepth = view.depth(box.origin);
-  unsigned beyondAll = 0x1F;
+  Beyond beyond;
   for (unsigned corner = 0; corner < 8; ++corner) {
     Vec3 h = origin;
     double depth = originDepth;
@@ -41,9 +48,25 @@ bool inView(const View& view, const Obb& box) {
       h += side[axis];
       depth += deeper[axis];
     }
-    beyondAll &= sidesBeyond(h, depth);
+    const unsigned sides = sidesBeyond(view, h, depth);
+    beyond.all &= sides;
+    beyond.any |= sides;
   }
-  return beyondAll == 0;
+  return beyond;
+}
+
+}  // namespace
+
+bool inView(const View& view, const Obb& box) {
+  // Of most boxes the middle is in view, and then they are.
+  const Vec3 middle = box.center();
+  return sidesBeyond(view, pixels(view, middle, 1.0), view.depth(middle)) == 0 || sidesBeyond(view, box).all == 0;
+}
+
+bool wholeInView(const View& view, const Obb& box) { return sidesBeyond(view, box).any == 0; }
+
+bool inPlainView(const View& view, const Obb& box, const Sight& sight, bool stays) {
+  return sight.share() >= (stays ? kSeenShareToStayInPlainView : kSeenShareInPlainView) && wholeInView(view, box);
 }
 
 void Sight::age(int frames) {

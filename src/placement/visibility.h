@@ -7,6 +7,8 @@ namespace dimline {
 
 /// Whether any of a box may be seen: not all of its corners lie beyond one side of the view frustum.
 bool inView(const View& view, const Obb& box);
+/// Whether all of it may be.
+bool wholeInView(const View& view, const Obb& box);
 
 /// Whether a scope counts as seen, over frames. Leaves are gap and cover in turn, and what shows between them leaps from frame to frame: so what has come into
 /// sight stays there for kReturnFrames, then until too little of it has been seen for kFramesToLoseSight on end, and what has left it comes back within kReturnFrames only
@@ -33,5 +35,8 @@ class Sight {
   double share_ = -1;     ///< of the last frame; negative before the first
   SeenEdges edges_ = SeenEdges::all();   ///< of the last frame
 };
+
+/// Whether a scope is in the picture as a whole, and at least kSeenShareInPlainView of it not behind the model. `stays`: a line inside the model showed it in the last frame, so that less is enough.
+bool inPlainView(const View& view, const Obb& box, const Sight& sight, bool stays);
 
 }  // namespace dimline

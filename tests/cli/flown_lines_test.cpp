@@ -42,11 +42,14 @@ double crossingShare(std::string_view name, std::uint64_t flight) {
 
 }  // namespace
 
-// With the shortest lines always first these shares are 0.5 %, 1.1 %, 1.2 %, 2.1 % and 4.9 %.
+// With the shortest lines always first these shares are 0.9 %, 1.3 %, 1.2 %, 1.9 % and 5.0 %.
 TEST_CASE("in flights, lines that would run across others' extension lines are placed in another order") {
   CHECK(crossingShare("helix-house", 5) < 0.004);
-  CHECK(crossingShare("helix-house", 8) < 0.006);
+  CHECK(crossingShare("helix-house", 4) < 0.006);
   CHECK(crossingShare("house", 6) < 0.009);
-  CHECK(crossingShare("lever", 0) < 0.009);
+  CHECK(crossingShare("lever", 0) < 0.004);
   CHECK(crossingShare("lever", 2) < 0.02);
 }
+
+// Where features that are mostly hidden, or partly out of the picture, get lines all the same, it is 3.3 %.
+TEST_CASE("in flights, what is seen in part is not measured across others' extension lines") { CHECK(crossingShare("omni-tree", 1) < 0.02); }

@@ -24,12 +24,12 @@ ModelDefinition wallWithMast() {
   return definition;
 }
 
-/// The same wall, with a short line near its top, which goes up and out, and a rail along it at a height (m).
-ModelDefinition wallWithRail(double heightM) {
+/// The same wall, with a short line near its top, which goes up and out, and a rail along it at a height, so long (m): mostly it leads out of the picture.
+ModelDefinition wallWithRail(double heightM, double lengthM = 40) {
   ModelDefinition definition = wallWithMast();
-  definition.parameters[1].annotation = "@Handle(scope=Rail, type=linear-center, orient=right, slip=scope)";
-  definition.build = [heightM](const Values&) {
-    return sceneOf({{"Wall", boxAt({-20, -10, -1}, {40, 20, 1})}, {"Plate", boxAt({-0.5, 8.9, 0}, {1, 0.2, 0.1})}, {"Rail", boxAt({-20, heightM, 0}, {40, 0.1, 0.1})}});
+  definition.parameters[1].annotation = "@Handle(scope=Rail, type=linear-center, orient=right, slip=none)";
+  definition.build = [heightM, lengthM](const Values&) {
+    return sceneOf({{"Wall", boxAt({-20, -10, -1}, {40, 20, 1})}, {"Plate", boxAt({-0.5, 8.9, 0}, {1, 0.2, 0.1})}, {"Rail", boxAt({-lengthM / 2, heightM, 0}, {lengthM, 0.1, 0.1})}});
   };
   return definition;
 }
@@ -90,7 +90,33 @@ TEST_CASE("inside the model, a line that leads out of the picture gives way to a
     REQUIRE(moving.find("Width") != nullptr);
   }
   // The first picture, placed in two rounds, counts as one frame more.
-  CHECK(frames == kCutStaysFrames - 1);
+  CHECK(frames == kPartlySeenStaysFrames - 1);
+}
+
+TEST_CASE("inside the model, a line of what is mostly hidden gives way to another's extension lines, and one that is there already only when less is seen") {
+  const auto seen = [](double railShare) { return ScopeVisibility{.seenShare = {1, 1, static_cast<float>(railShare)}, .seenEdges = {}}; };
+  const auto lookAtRail = [&](Stage& stage, double heightM, double railShare) {
+    const ScopeVisibility visibility = seen(railShare);
+    stage.look(straightAt(heightM, kSeenM), 1000, 1000, &visibility);
+    REQUIRE(stage.find("Width") != nullptr);
+    return stage.find("Height");
+  };
+  for (const double heightM : {8.5, 9.5}) {   // below the plate, and above it, where its extension lines are
+    Stage hidden(wallWithRail(heightM, 3));
+    CHECK((lookAtRail(hidden, 9, 0.9 * kSeenShareInPlainView) != nullptr) == (heightM < 9));
+    if (heightM > 9) CHECK(hidden.layout.hidden.at(0).reason == HiddenReason::kOccluded);
+    Stage plain(wallWithRail(heightM, 3));
+    CHECK(lookAtRail(plain, 9, kSeenShareInPlainView) != nullptr);
+  }
+  Stage stage(wallWithRail(9.5, 3));
+  double heightM = 9;
+  const auto look = [&](double railShare) { return lookAtRail(stage, heightM -= 0.002, railShare); };
+  for (int frame = 0; frame < 2 * kPartlySeenStaysFrames; ++frame) REQUIRE(look(1) != nullptr);
+  CHECK(look(1.1 * kSeenShareToStayInPlainView) != nullptr);
+  CHECK(look(0.9 * kSeenShareToStayInPlainView) == nullptr);
+  // When it is seen better again it is back at once.
+  CHECK(look(1.1 * kSeenShareToStayInPlainView) == nullptr);
+  CHECK(look(kSeenShareInPlainView) != nullptr);
 }
 
 TEST_CASE("inside the model, a line that gave way comes back when it has had room for a while, and not before a still camera") {
