@@ -272,7 +272,7 @@ void gatherInsideCandidate(const CandidateContext& context, const UsableBaseLine
   Candidate candidate;
   candidate.identity = {.parameter = context.history.last().parameter, .scopeIndex = base.scopeIndex, .baseLine = static_cast<std::int16_t>(base.line.number)};
   const bool stays = candidate.identity == context.history.last();
-  const Foresight::Prospect prospect = context.foresight.prospectInside(base.line.segment, isWhole(base.screen, context.view), context.leastPx);
+  const Foresight::Prospect prospect = context.foresight.prospectInside(base.line.segment, inPlainView(context.view, scope, context.sights[base.scope], stays), context.leastPx);
   // The one that is shown stays to the last.
   if ((prospect.lastMoments || isShownAnewInVain(context, prospect)) && !stays && !context.showAll) return;
   candidate.scope = base.scope;
