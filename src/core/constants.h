@@ -228,6 +228,9 @@ inline constexpr double kScoreThreadOverExtension = -0.5 * kHandleSpacingPx;
 inline constexpr double kScoreThreadOverLabel = -10.0 * kHandleSpacingPx;
 inline constexpr double kScorePillStays = 40.0 * kHandleSpacingPx;
 inline constexpr double kScorePillStaysOnSide = 2.0 * kHandleSpacingPx;
+/// Of the viewport's shorter side, how long the thread to a new place of a pill may be; to one further away it goes only when there is none on the model. Shorter: pills cover what could be seen. Longer: in a row of trees
+/// a pill stands beside another tree than its own.
+inline constexpr double kLongestThreadShare = 0.4;
 /// px of score by which a place must be better, but for labels in its way, than the one that is chosen, for those labels to be asked to give way. Less: they give way, or are left out, for
 /// nothing. More: lines go behind the model for the sake of a number that could stand elsewhere.
 inline constexpr double kWorthAskingPx = 3.0 * kHandleSpacingPx;

@@ -240,6 +240,11 @@ bool isBrief(const OtherHandle& handle, const OtherHandleContext& context, const
   return handle.firm && handle.nearing && handle.history.any() && !stays(handle, outside) && !lastsNearing(outside.box, context.view);
 }
 
+/// Whether the thread to a place where the pill was not in the last frame leads so far across the picture that nobody sees what the pill belongs to.
+bool isFar(const OtherHandle& handle, const OtherHandleContext& context, const PillPlace& outside) {
+  return glm::length(outside.box.center() - outside.anchor) > kLongestThreadShare * std::min(context.view.widthPx(), context.view.heightPx()) && !stays(handle, outside);
+}
+
 /// Whether a place outside is taken whatever there is inside.
 bool comesAnyway(const OtherHandle& handle, const PillPlace& outside) {
   return !handle.history.wasInside() && !handle.history.hiddenForWantOfRoom() && !handle.history.leftLately(outside.identity);
@@ -308,7 +313,7 @@ std::optional<HiddenReason> placePill(const OtherHandle& handle, const OtherHand
     }
   };
   std::optional<PillPlace> outside;
-  std::optional<PillPlace> brief;   // outside too, but worse than any inside
+  std::optional<PillPlace> lastResort;   // outside too, but worse than any inside
   forEachAnchor([&](const PillAnchor& at) {
     if (handle.annotation.slip == Slip::kNone) return;
     // From the last frame's direction on, so that the others need be looked at only where they may be better.
@@ -316,12 +321,12 @@ std::optional<HiddenReason> placePill(const OtherHandle& handle, const OtherHand
     for (int i = 0; i < kPillWays; ++i) {
       const double enough = outside ? outside->score : -std::numeric_limits<double>::infinity();
       WayOut wayOut(handle, context, at, (first + i) % kPillWays, enough);
-      wayOut.forEachPlace([&](const PillPlace& place) { offer(place, isBrief(handle, context, place) ? brief : outside); });
+      wayOut.forEachPlace([&](const PillPlace& place) { offer(place, isFar(handle, context, place) || isBrief(handle, context, place) ? lastResort : outside); });
     }
   });
   std::optional<PillPlace> inside;
   if (!outside || !comesAnyway(handle, *outside)) forEachAnchor([&](const PillAnchor& at) { offerInside(handle, context, at, inside); });
-  const auto place = choose(handle, inside, outside || inside ? outside : brief);
+  const auto place = choose(handle, inside, outside || inside ? outside : lastResort);
   if (!place) return anchored ? HiddenReason::kCrowded : HiddenReason::kOutOfView;
   placed.scope = place->scope;
   placed.anchor = place->anchor;

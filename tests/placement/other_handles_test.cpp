@@ -195,6 +195,19 @@ TEST_CASE("a pill goes where its thread runs across no number, and takes a longe
   CHECK(line.stage.landed.across({line.placed.anchor, line.placed.box.center()}).lines == 0);
 }
 
+TEST_CASE("a pill goes inside rather than so far away that its thread leads across half the picture") {
+  // All around the box is taken, and below it down to a height; the anchor is at 375.
+  const auto placedBelow = [](double takenToY) {
+    AtticSwitch attic;
+    for (const Box2& taken : {Box2{{0, 0}, {1000, 374}}, Box2{{0, 374}, {299, takenToY}}, Box2{{701, 374}, {1000, takenToY}}, Box2{{299, 626}, {701, takenToY}}}) {
+      attic.stage.landed.addLabel(taken);
+    }
+    return attic.placeMoving(attic.outside, true);
+  };
+  CHECK(placedBelow(375 + kLongestThreadShare * 1000 - kPillHeightPx) == PlacementKind::kOutside);
+  CHECK(placedBelow(375 + kLongestThreadShare * 1000) == PlacementKind::kInside);
+}
+
 TEST_CASE("a pill stays where it was when nearer room appears, comes nearer little by little while the camera moves, and stands still to the last bit before a still one") {
   AtticSwitch attic;
   const Box2 above{{0, 300}, {1000, 374}};
