@@ -28,10 +28,10 @@ std::vector<Parameter> parameters() {
   std::vector<Parameter> p(kParameterCount);
   p[kWidth] = lengthParameter("Width", "Width", {30.9, 24, 40, 0.1},
       {"Temple", "How wide the uppermost step is, on which the columns stand.",
-       "@Handle(scope=Stylobate, type=linear-contour, orient=right, slip=scope, align=bottom)"});
+       "@Handle(scope=Stylobate, type=linear-contour, orient=right, slip=scope, align=bottom, occlusion=false)"});
   p[kLength] = lengthParameter("Length", "Length", {69.5, 45, 90, 0.1},
       {"Temple", "How long the uppermost step is.",
-       "@Handle(scope=Stylobate, type=linear-contour, orient=back, slip=scope)"});
+       "@Handle(scope=Stylobate, type=linear-contour, orient=back, slip=scope, occlusion=false)"});
   p[kStepHeight] = lengthParameter("StepHeight", "Step height", {0.52, 0.3, 0.7, 0.02},
       {"Temple", "How high each of the three steps is; they were made for the temple's size, not for people.",
        "@Handle(scope=Step, type=linear-contour, orient=up, slip=scope, chained, min-length=14)"});
