@@ -102,7 +102,7 @@ bool placeAt(Candidate& candidate, const Slide& slide, double offsetM, const Vie
 
 /// Whether a scope is going out of sight, so that no line is begun on it where there is another.
 bool isFading(const CandidateContext& context, std::size_t scope) {
-  return context.annotation.occlusion && !context.showAll && !context.sights[scope].plain();
+  return context.annotation.occlusion && !context.showAll && !context.sights[scope].seenEnough();
 }
 
 /// Whether a line that is not shown would be for a few frames only, before it is too short again.
@@ -131,7 +131,7 @@ void keep(const CandidateContext& context, const UsableBaseLine& base, Candidate
     // No place is begun for its last moments, and a line inside the model does not come out for a moment.
     if (isShownAnewInVain(context, prospect) || prospect.lastMoments || (prospect.brief && (context.history.wasInside() || (context.lasting && context.foresight.zooms())))) return;
     const bool behind = !chain && isBehindModel(context, base);
-    if (behind && prospect.brief && context.plainInside) return;
+    if (behind && prospect.brief && context.seenInside) return;
     candidate.score += prospect.price;
     if (!chain && isFading(context, candidate.scope)) candidate.score += kScoreFadingScope;
     if (behind) candidate.score += kScoreFromBehindModel;

@@ -57,7 +57,7 @@ Chooser::Outside Chooser::chooseOutside(const Measured& measured, const Candidat
   const auto chooseSingle = [&] {
     if (chained) gatherBases(measured, context, thresholdFactor(measured, context), Enough::kAll);
     CandidateContext among = candidates;
-    among.plainInside = context.foresight.nears() && std::ranges::any_of(bases_, [&](const UsableBaseLine& base) {
+    among.seenInside = context.foresight.nears() && std::ranges::any_of(bases_, [&](const UsableBaseLine& base) {
       return isWhole(base.screen, context.view) && !isBehindModel(candidates, base) && !context.occupied.landed().runsInto(base.screen);
     });
     return choose(bases_, among);

@@ -139,11 +139,11 @@ bool Foresight::hasRoom(const Look& look, const Place& place) {
   return then->lowM <= offsetM && offsetM <= then->highM;
 }
 
-Foresight::Prospect Foresight::prospectInside(const Segment& base, bool whole, double leastPx) const {
+Foresight::Prospect Foresight::prospectInside(const Segment& base, bool plain, double leastPx) const {
   const std::size_t gone = firstLookWithout(base, leastPx);
   return {.price = lossPrice_ * shareLeft(gone),
           .shortSoon = isShortSoon(gone),
-          .lastMoments = zooms() && firstLookWithout(base, 0) < (whole ? kLooksAtLastMomentsInside : kLooksAtLastMomentsCut)};
+          .lastMoments = zooms() && firstLookWithout(base, 0) < (plain ? kLooksAtLastMomentsInside : kLooksAtLastMomentsPartlySeen)};
 }
 
 }  // namespace dimline

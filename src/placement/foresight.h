@@ -45,8 +45,8 @@ class Foresight {
   /// later. A feature that turns away from the viewer costs kTurnedAwayShare of that, and so does one that is turned
   /// away when no movement is thought to go on. More of all when the camera comes nearer or goes away.
   [[nodiscard]] Prospect prospect(const Place& place);
-  /// Of a base line inside the model, which is lost when nothing of it is left in the viewport or it is shorter there than `leastPx`. `whole`: both ends are in the picture now.
-  [[nodiscard]] Prospect prospectInside(const Segment& base, bool whole, double leastPx) const;
+  /// Of a base line inside the model, which is lost when nothing of it is left in the viewport or it is shorter there than `leastPx`. `plain`: its scope is in plain view now.
+  [[nodiscard]] Prospect prospectInside(const Segment& base, bool plain, double leastPx) const;
 
  private:
   /// A view of the movement gone on with.

@@ -282,7 +282,7 @@ void Placer::State::findVisible(const View& view, const ScopeVisibility* visibil
   assert(visibility == nullptr || visibility->seenShare.size() == scopes.size());
   inView.resize(scopes.size());
   seen.resize(scopes.size());
-  plain.resize(scopes.size());
+  seenEnough.resize(scopes.size());
   past.sights.resize(scopes.size());
   for (std::size_t i = 0; i < scopes.size(); ++i) {
     Sight& sight = past.sights[i];
@@ -292,7 +292,7 @@ void Placer::State::findVisible(const View& view, const ScopeVisibility* visibil
     const double share = visibility != nullptr ? static_cast<double>(visibility->seenShare[i]) : 1.0;
     const SeenEdges edges = visibility != nullptr && !visibility->seenEdges.empty() ? visibility->seenEdges[i] : SeenEdges::all();
     seen[i] = inView[i] != 0 && sight.see(share, edges) ? 1 : 0;
-    plain[i] = seen[i] != 0 && sight.plain() ? 1 : 0;
+    seenEnough[i] = seen[i] != 0 && sight.seenEnough() ? 1 : 0;
   }
 }
 

@@ -174,7 +174,7 @@ void Placer::State::labelInside(const FrameToPlace& frame, std::span<PlacedLine>
 /// The scopes that may carry a line of this parameter in this frame; one a scope.
 std::span<const char> Placer::State::usableScopes(const Measured& measured) const {
   if (!measured.annotation.occlusion || showAll) return inView;
-  return past.histories[measured.parameter].shownAnew() ? plain : seen;
+  return past.histories[measured.parameter].shownAnew() ? seenEnough : seen;
 }
 
 BaseLineTally Placer::State::scopesOutOfSight(const Measured& measured) const {
@@ -256,7 +256,7 @@ void Placer::State::judgeChoice(std::size_t rank, const History& history) {
   }
 }
 
-/// Adds what it is worth that a line has no room, or an attempt would gain by hiding it.
+/// Adds that a line has no room: it counts as one inside, or an attempt would gain by hiding it.
 void Placer::State::judgeHidden(const History& history) {
   outcome.worth += kScoreInside;
   if (history.any()) outcome.changes += 1;

@@ -93,7 +93,7 @@ struct Placer::State {
   std::vector<ObjectPlaneUse> objectPlaneUses;
   std::vector<char> inView;           ///< one a scope
   std::vector<char> seen;             ///< one a scope: in view, and not hidden by the model
-  std::vector<char> plain;            ///< those of them that what is hidden may be shown for
+  std::vector<char> seenEnough;       ///< those of them that what is hidden may be shown for
   std::vector<std::size_t> scopesInSight;
   std::vector<HiddenParameter> wanting;   ///< what has no handle yet when those on demand are placed
   std::vector<PlacedLine> spareLines;

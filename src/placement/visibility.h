@@ -25,7 +25,7 @@ class Sight {
   /// The edges that were seen in the last frame.
   [[nodiscard]] SeenEdges edges() const { return edges_; }
   /// Whether enough of it was seen in the last frame, so that it may be shown anew; what only stays in sight may not.
-  [[nodiscard]] bool plain() const { return framesTooLittle_ == 0; }
+  [[nodiscard]] bool seenEnough() const { return framesTooLittle_ == 0; }
 
  private:
   int frames_ = 0;        ///< since it came into sight, or, negative, since it left it; to kReturnFrames; 0 before the first

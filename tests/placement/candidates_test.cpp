@@ -175,7 +175,7 @@ TEST_CASE("a base line of a scope that is going out of sight comes after others,
   }
   sights[1].age(1);
   REQUIRE(sights[1].see(0.0));   // it still counts as seen
-  REQUIRE_FALSE(sights[1].plain());
+  REQUIRE_FALSE(sights[1].seenEnough());
   Surroundings around;
   Annotation annotation;
   annotation.slip = Slip::kNone;
@@ -218,12 +218,12 @@ TEST_CASE("while the camera comes nearer, no line is begun for a moment that com
   inView.see(1.0);
   hidden.see(1.0, SeenEdges(~SeenEdges::bit(1, base.line.number)));
   // How many places it has to the right of a model that covers the columns up to there.
-  const auto placesBeside = [&](int coveredToPx, const Sight& sight, bool plainInside, const History& history) {
+  const auto placesBeside = [&](int coveredToPx, const Sight& sight, bool seenInside, const History& history) {
     const DistanceFields model = fieldsCovering({{0, 0}, {coveredToPx, 1000}});
     around.occupied.begin(model);
     around.occupied.clear();
     CandidateContext context = around.context(annotation, view, history, {&sight, 1});
-    context.plainInside = plainInside;
+    context.seenInside = seenInside;
     std::vector<Candidate> candidates;
     gatherOutsideCandidates(context, base, candidates);
     return candidates.size();

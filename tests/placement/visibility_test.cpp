@@ -3,8 +3,10 @@
 #include <catch2/catch.hpp>
 
 #include "core/constants.h"
+#include "support/scenes.h"
 
 using namespace dimline;
+using namespace dimline::test;
 
 namespace {
 
@@ -57,16 +59,16 @@ TEST_CASE("a frame in which nothing is seen of what was plainly seen means littl
   CHECK(frames == kFramesToLoseSight);
 }
 
-TEST_CASE("what only stays in sight is not plain") {
+TEST_CASE("what only stays in sight is not seen enough") {
   Sight sight = settled(true);
   REQUIRE(sight.see(kSeenShareToKeep));
-  CHECK(sight.plain());
+  CHECK(sight.seenEnough());
   sight.age(1);
   REQUIRE(sight.see(0.0));
-  CHECK_FALSE(sight.plain());
+  CHECK_FALSE(sight.seenEnough());
   sight.age(1);
   REQUIRE(sight.see(kSeenShareToKeep));
-  CHECK(sight.plain());
+  CHECK(sight.seenEnough());
 }
 
 TEST_CASE("what has just left comes back only when plenty is seen, and later as at first") {
@@ -107,4 +109,30 @@ TEST_CASE("another share before a still camera counts at once") {
   CHECK_FALSE(shown.see(0.01));
   shown.age(0);
   CHECK(shown.see(kSeenShareToShow));         // no need to be seen by the third: nothing flickers
+}
+
+TEST_CASE("what is in view in part is not wholly in view, nor in plain view") {
+  // 20 m of height are seen: from -10 to 10, and as much across.
+  const View view(straightAt(0), 1000, 1000, Bounds{Vec3(-50), Vec3(50)});
+  const auto box = [](double fromX, double toZ) { return boxAt({fromX, -1, toZ - 1}, {2, 2, 1}); };
+  const auto views = [&](const Obb& of) { return std::pair(inView(view, of), wholeInView(view, of)); };
+  CHECK(views(box(0, 0)) == std::pair(true, true));
+  CHECK(views(box(7.9, 0)) == std::pair(true, true));
+  CHECK(views(box(8.1, 0)) == std::pair(true, false));
+  CHECK(views(box(9.1, 0)) == std::pair(true, false));   // its middle is out
+  CHECK(views(box(10.1, 0)) == std::pair(false, false));
+  // In perspective nothing behind the viewer, at 30, is in view.
+  const View from30(orbitCamera({0, 0, 0}, 30, 0, 0), 1000, 1000, Bounds{Vec3(-50), Vec3(50)});
+  CHECK(wholeInView(from30, box(0, 0)));
+  CHECK_FALSE(inView(from30, box(0, 32)));
+  CHECK_FALSE(wholeInView(from30, box(0, 32)));
+
+  Sight half;
+  half.see(kSeenShareInPlainView);
+  CHECK(inPlainView(view, box(0, 0), half, false));
+  CHECK_FALSE(inPlainView(view, box(8.1, 0), half, true));
+  Sight little;
+  little.see(0.99 * kSeenShareInPlainView);
+  CHECK_FALSE(inPlainView(view, box(0, 0), little, false));
+  CHECK(inPlainView(view, box(0, 0), little, true));
 }
