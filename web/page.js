@@ -141,18 +141,22 @@ function showMore() {
   measures.hidden = editor.getMeasures().length === 0;
 }
 
+const addresses = new Map(); // of each model that was shown, as it was left
+
 // Another model is a step in the browser's history, unless the address says so already: then it is where the model came from.
 function remember() {
   const parameters = editor.getParameters();
   if (modelOfAddress() !== shownModel) history.pushState(null, "", withModel(location.href, shownModel));
   const address = withValues(location.href, parameters);
   if (address !== location.href) history.replaceState(null, "", address);
+  addresses.set(shownModel, address);
 }
 
-// A model that was chosen in the page begins with its defaults; one that the address brings, with what that says.
+// A model begins with what the address says, or, when it was chosen in the page, as it was left; at first with its defaults.
 function addressedValues(parameters) {
-  if (modelOfAddress() !== wantedModel()) return {};
-  const { values, problems } = valuesOf(location.href, parameters);
+  const address = modelOfAddress() === wantedModel() ? location.href : addresses.get(wantedModel());
+  if (!address) return {};
+  const { values, problems } = valuesOf(address, parameters);
   if (problems.length > 0) say(problems.join(" "));
   return values;
 }

@@ -109,6 +109,15 @@ test("what was changed is still there after a reload, after another model, and b
   assert.equal(await modelOf(page), "house");
   assert.deepEqual(await valuesOf(page), made);
 
+  // Chosen in the menu as well, it is as it was left.
+  for (const title of ["Galleon", "Family house"]) {
+    await openMenu(page);
+    await dialog(page).getByRole("link", { name: title, exact: true }).click();
+    await settle(page);
+  }
+  assert.deepEqual(await valuesOf(page), made);
+  assert.equal(new URL(page.url()).hash, new URL(link).hash);
+
   // Undone to the defaults, the address says nothing; another one is followed without a reload.
   await page.getByRole("button", { name: "Reset all" }).click();
   await settle(page);
