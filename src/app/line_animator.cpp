@@ -41,7 +41,7 @@ void LineAnimator::update(const Layout& placed, std::span<const Scope> scopes, c
 
   const bool same = sameView(placed.view, view);
   drawn.view = view;
-  drawn.hidden.reserve(placed.hidden.capacity());
+  drawn.hidden.reserve(placed.hidden.capacity());   // or the first frame that hides more than any before would allocate
   drawn.hidden = placed.hidden;
   drawn.visibleScopes = placed.visibleScopes;
   fading_.resize(drawn.lines, placed.lines.size());

@@ -267,12 +267,12 @@ void gatherOutsideCandidates(const CandidateContext& context, const UsableBaseLi
   });
 }
 
-void gatherInsideCandidate(const CandidateContext& context, const UsableBaseLine& base, const Obb& scope,
+void gatherInsideCandidate(const CandidateContext& context, const UsableBaseLine& base, const Obb& scope, bool plain,
                            std::vector<Candidate>& candidates) {
   Candidate candidate;
   candidate.identity = {.parameter = context.history.last().parameter, .scopeIndex = base.scopeIndex, .baseLine = static_cast<std::int16_t>(base.line.number)};
   const bool stays = candidate.identity == context.history.last();
-  const Foresight::Prospect prospect = context.foresight.prospectInside(base.line.segment, inPlainView(context.view, scope, context.sights[base.scope], stays), context.leastPx);
+  const Foresight::Prospect prospect = context.foresight.prospectInside(base.line.segment, plain, context.leastPx);
   // The one that is shown stays to the last.
   if ((prospect.lastMoments || isShownAnewInVain(context, prospect)) && !stays && !context.showAll) return;
   candidate.scope = base.scope;

@@ -106,8 +106,8 @@ void gatherGuideCandidates(const CandidateContext& context, const UsableBaseLine
 /// within the viewport's margin. The last frame's choice may have a second offset besides (Candidate::secondOffset).
 void gatherOutsideCandidates(const CandidateContext& context, const UsableBaseLine& base, std::vector<Candidate>& candidates);
 
-/// Adds the base line itself (algorithm 1, line 9), unless it would be shown anew for the last moments of its feature in the picture.
-void gatherInsideCandidate(const CandidateContext& context, const UsableBaseLine& base, const Obb& scope, std::vector<Candidate>& candidates);
+/// Adds the base line itself (algorithm 1, line 9), unless it would be shown anew for the last moments of its feature in the picture; they are longer when the scope is not in plain view.
+void gatherInsideCandidate(const CandidateContext& context, const UsableBaseLine& base, const Obb& scope, bool plain, std::vector<Candidate>& candidates);
 
 /// So many pixels as metres, at the depth of where a candidate set out from.
 double metresAt(const Candidate& candidate, double px, const View& view);

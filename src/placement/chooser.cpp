@@ -123,6 +123,10 @@ bool Chooser::chooseBest(const Measured& measured, const ChoiceContext& context,
   bool found = false;
   bool firstOffsetFailed = false;
   double bestScore = 0;
+  // A feature that is seen in part gets no new line that confuses the picture; while the view only turns, it soon is seen better.
+  const auto mayCross = [&](const Candidate& candidate) {
+    return !context.foresight.zooms() || context.showAll || candidate.identity == history.last() || context.inPlainView(candidate.scope);
+  };
   // The second offsets come last, whatever their scores.
   for (const bool second : {false, true}) {
     for (const SortKey& key : ranked_) {
@@ -145,9 +149,7 @@ bool Chooser::chooseBest(const Measured& measured, const ChoiceContext& context,
       if (candidate.lineScreen.start != triedAt.start) among = inPlace();
       if (trial_.lines().size() > 1) trial_.addMembers(among, context);
       trial_.pushClear(candidate, among, measured, context, history);
-      // A feature that is seen in part gets no new line that confuses the picture; while the view only turns, it soon is seen better.
-      const bool mayCross = !context.foresight.zooms() || context.showAll || candidate.identity == history.last() || context.inPlainView(candidate.scope);
-      if (among.landed.extensions && !mayCross) continue;
+      if (among.landed.extensions && !mayCross(candidate)) continue;
       const double wish = among.score + forLabels(among);
       if (beaten(wish)) continue;
       // The padded fields know nothing of lines inside the model.
@@ -173,16 +175,17 @@ bool Chooser::chooseBest(const Measured& measured, const ChoiceContext& context,
 bool Chooser::chooseInside(const CandidateContext& candidates, const ChoiceContext& context) {
   const Landed& landed = context.occupied.landed();
   const History& history = candidates.history;
-  const auto mayBeShown = [&](const UsableBaseLine& base) {
-    const bool stays = history.wasInside() && sameBaseLine(base, history.last());
-    if (context.showAll || context.inPlainView(base.scope, stays)) return true;
+  const auto isFree = [&](const UsableBaseLine& base, bool stays) {
     if (landed.runsInto(base.screen) || landed.coversLabel(base.screen)) return false;
     return (stays && history.framesHeld() < kPartlySeenStaysFrames) || !landed.crossesExtension(base.screen);
   };
   candidates_.clear();
   for (const UsableBaseLine& base : bases_) {
-    if (mayBeShown(base)) gatherInsideCandidate(candidates, base, context.scopes[base.scope].box, candidates_);
-    else ++(wholeInView(context.view, context.scopes[base.scope].box) ? tally_.occluded : tally_.outOfView);
+    const Obb& scope = context.scopes[base.scope].box;
+    const bool stays = history.wasInside() && sameBaseLine(base, history.last());
+    const bool plain = context.inPlainView(base.scope, stays);
+    if (plain || context.showAll || isFree(base, stays)) gatherInsideCandidate(candidates, base, scope, plain, candidates_);
+    else ++(wholeInView(context.view, scope) ? tally_.occluded : tally_.outOfView);
   }
   if (candidates_.empty()) {
     cramped_ = true;
@@ -195,7 +198,7 @@ bool Chooser::chooseInside(const CandidateContext& candidates, const ChoiceConte
     if (context.lookAhead.runsIntoInside(c.lineScreen)) c.score += kScoreAmissInside;
   }
   // Who comes anew would have to wait with a base line that is not in plain view (Placer): one that is comes first, where there is any.
-  const bool anew = candidates.history.shownAnew();
+  const bool anew = history.shownAnew();
   const auto rank = [&](const Candidate& c) { return std::tuple(!landed.runsInto(c.lineScreen), anew && context.inPlainView(c.scope), c.score); };
   const auto best = std::ranges::max_element(candidates_, {}, rank);
   cramped_ = landed.runsInto(best->lineScreen);

@@ -235,14 +235,12 @@ bool lastsNearing(const Box2& box, const View& view) {
   return onScreen(shifted(box, (box.center() - view.viewport().center()) * std::expm1(kBriefZoom)), view);
 }
 
-/// Whether a place outside is another than where the pill was in the last frame, and would be lost soon because the camera comes nearer.
-bool isBrief(const OtherHandle& handle, const OtherHandleContext& context, const PillPlace& outside) {
-  return handle.firm && handle.nearing && handle.history.any() && !stays(handle, outside) && !lastsNearing(outside.box, context.view);
-}
-
-/// Whether the thread to a place where the pill was not in the last frame leads so far across the picture that nobody sees what the pill belongs to.
-bool isFar(const OtherHandle& handle, const OtherHandleContext& context, const PillPlace& outside) {
-  return glm::length(outside.box.center() - outside.anchor) > kLongestThreadShare * std::min(context.view.widthPx(), context.view.heightPx()) && !stays(handle, outside);
+/// Whether a place outside is another than where the pill was in the last frame, and worse than any inside: it would be lost soon because the camera comes nearer, or its thread would lead so far across the
+/// picture that nobody sees what the pill belongs to.
+bool isLastResort(const OtherHandle& handle, const OtherHandleContext& context, const PillPlace& outside) {
+  if (stays(handle, outside)) return false;
+  const bool far = glm::length(outside.box.center() - outside.anchor) > kLongestThreadShare * std::min(context.view.widthPx(), context.view.heightPx());
+  return far || (handle.firm && handle.nearing && handle.history.any() && !lastsNearing(outside.box, context.view));
 }
 
 /// Whether a place outside is taken whatever there is inside.
@@ -313,7 +311,7 @@ std::optional<HiddenReason> placePill(const OtherHandle& handle, const OtherHand
     }
   };
   std::optional<PillPlace> outside;
-  std::optional<PillPlace> lastResort;   // outside too, but worse than any inside
+  std::optional<PillPlace> lastResort;   // outside too
   forEachAnchor([&](const PillAnchor& at) {
     if (handle.annotation.slip == Slip::kNone) return;
     // From the last frame's direction on, so that the others need be looked at only where they may be better.
@@ -321,7 +319,7 @@ std::optional<HiddenReason> placePill(const OtherHandle& handle, const OtherHand
     for (int i = 0; i < kPillWays; ++i) {
       const double enough = outside ? outside->score : -std::numeric_limits<double>::infinity();
       WayOut wayOut(handle, context, at, (first + i) % kPillWays, enough);
-      wayOut.forEachPlace([&](const PillPlace& place) { offer(place, isFar(handle, context, place) || isBrief(handle, context, place) ? lastResort : outside); });
+      wayOut.forEachPlace([&](const PillPlace& place) { offer(place, isLastResort(handle, context, place) ? lastResort : outside); });
     }
   });
   std::optional<PillPlace> inside;

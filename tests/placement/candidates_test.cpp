@@ -145,7 +145,7 @@ TEST_CASE("an edge that the model hides comes after others, and less so for the 
       base.scopeIndex = 0;
       base.line = line;
       base.screen = view.toScreen(line.segment);
-      gatherInsideCandidate(around.context(annotation, view, history, {&sight, 1}), base, box, candidates);
+      gatherInsideCandidate(around.context(annotation, view, history, {&sight, 1}), base, box, true, candidates);
     }
     std::vector<double> scores;
     for (const Candidate& candidate : candidates) scores.push_back(candidate.score - scoreInside(candidate.baseScreen, view.toScreen(box.center()), annotation.align));
@@ -186,7 +186,7 @@ TEST_CASE("a base line of a scope that is going out of sight comes after others,
     base.scope = scope;
     base.scopeIndex = static_cast<std::int32_t>(scope);
     std::vector<Candidate> candidates;
-    gatherInsideCandidate(around.context(annotation, view, history, sights, showAll), base, boxAt({-1, 0, -1}, {2, 0.1, 2}), candidates);
+    gatherInsideCandidate(around.context(annotation, view, history, sights, showAll), base, boxAt({-1, 0, -1}, {2, 0.1, 2}), true, candidates);
     REQUIRE(candidates.size() == 1);
     return candidates.front().score;
   };
