@@ -1,7 +1,6 @@
 #include <catch2/catch.hpp>
 
 #include <array>
-#include <memory>
 
 #include "support/allocation_count.h"
 #include "support/stage.h"
@@ -523,19 +522,6 @@ TEST_CASE("labels keep off an arc that stays in its scope's frame") {
   CHECK(shown > 50);
 }
 
-TEST_CASE("what is kept, and what is mended, stays before a still camera") {
-  Stage stage(boxWithDoor());
-  for (double azimuth = 0; azimuth < 360; azimuth += 1) {
-    const Camera camera = orbitCamera({0, 2.5, 0}, 30, azimuth, 22);
-    const std::vector<PlacedLine> moved = stage.look(camera).lines;
-    for (int frame = 0; frame < 2; ++frame) {
-      stage.look(camera);
-      REQUIRE(stage.layout.lines.size() == moved.size());
-      for (std::size_t i = 0; i < moved.size(); ++i) CHECK(stage.layout.lines[i].lineScreen.end == moved[i].lineScreen.end);
-    }
-  }
-}
-
 TEST_CASE("labels of shorter lines keep off the label of a line that is held") {
   Stage stage(boxWithDoor());
   stage.look(orbitCamera({0, 2.5, 0}, 30, 20, 22));
@@ -549,106 +535,6 @@ TEST_CASE("labels of shorter lines keep off the label of a line that is held") {
   for (const PlacedLine& line : stage.layout.lines) {
     if (stage.nameOf(line) != "Width" && line.label) CHECK_FALSE(line.label->overlaps(*held.label));
   }
-}
-
-TEST_CASE("a view that turns far in one frame begins anew") {
-  Stage stage(boxWithDoor());
-  for (double azimuth = 0; azimuth <= 80; azimuth += 1) stage.look(orbitCamera({0, 2.5, 0}, 30, azimuth, 20));
-  Stage fresh(boxWithDoor());
-  const Camera behind = orbitCamera({0, 2.5, 0}, 30, 215, 35);
-  stage.look(behind);
-  fresh.look(behind);
-  REQUIRE(stage.layout.lines.size() == fresh.layout.lines.size());
-  for (std::size_t i = 0; i < fresh.layout.lines.size(); ++i) {
-    CHECK(stage.layout.lines[i].identity == fresh.layout.lines[i].identity);
-    CHECK(stage.layout.lines[i].lineScreen.end == fresh.layout.lines[i].lineScreen.end);
-  }
-}
-
-TEST_CASE("while the camera turns, lines keep their places where frames on their own would change them") {
-  Stage stage(boxWithDoor());
-  int changes = 0;
-  int changesOnTheirOwn = 0;
-  std::vector<PlacedLine> last;
-  std::vector<PlacedLine> lastOnItsOwn;
-  const auto changed = [](const std::vector<PlacedLine>& from, const std::vector<PlacedLine>& to) {
-    return static_cast<int>(std::ranges::count_if(to, [&](const PlacedLine& line) {
-      const auto was = std::ranges::find(from, line.parameter, &PlacedLine::parameter);
-      return was != from.end() && was->identity != line.identity;
-    }));
-  };
-  Stage onItsOwn(boxWithDoor());
-  for (double azimuth = 0; azimuth < 360; azimuth += 1) {
-    const Camera camera = orbitCamera({0, 2.5, 0}, 30, azimuth, 22);
-    changes += changed(last, stage.look(camera).lines);
-    last = stage.layout.lines;
-    onItsOwn.placer.forget();
-    changesOnTheirOwn += changed(lastOnItsOwn, onItsOwn.look(camera).lines);
-    lastOnItsOwn = onItsOwn.layout.lines;
-  }
-  CHECK(changes > 0);
-  CHECK(changes < changesOnTheirOwn);
-}
-
-TEST_CASE("in a viewport of another size, and the same shape, lines lie no further out than in one of that size from the start") {
-  Stage stage(boxWithDoor());
-  const Camera camera = orbitCamera({0, 2.5, 0}, 30, 35, 22);
-  stage.look(camera, 500, 500);
-  stage.look(camera, 1000, 1000);
-  Stage fresh(boxWithDoor());
-  fresh.look(camera, 1000, 1000);
-  REQUIRE(stage.layout.lines.size() == fresh.layout.lines.size());
-  REQUIRE_FALSE(fresh.layout.lines.empty());
-  for (const PlacedLine& line : fresh.layout.lines) {
-    INFO(fresh.nameOf(line));
-    REQUIRE(stage.find(fresh.nameOf(line)) != nullptr);
-    CHECK(glm::length(stage.find(fresh.nameOf(line))->lineScreen.end - line.lineScreen.end) < 1e-6);
-  }
-}
-
-TEST_CASE("who forgets, forgets as well how many lines were too many") {
-  // Width and Depth cross in the middle of the box, but for someone who looks along one of them.
-  ModelDefinition definition = boxWithDoor();
-  definition.parameters[0].annotation = "@Handle(scope=Box, type=linear-center, orient=right, slip=none, occlusion=false)";
-  definition.parameters[2].annotation = "@Handle(scope=Box, type=linear-center, orient=back, slip=none, occlusion=false)";
-  const auto from = [](double azimuth, double elevation) { return orbitCamera({0, 1.5, 0}, 40, azimuth, elevation); };
-  const auto hiddenIn = [](const Layout& layout) {
-    return std::ranges::count(layout.hidden, HiddenReason::kCrowded, &HiddenParameter::reason);
-  };
-  Stage fresh(definition);
-  const auto ofItself = hiddenIn(fresh.look(from(0, 0), 240, 160));
-  std::ptrdiff_t most = 0;
-  for (double azimuth = 0; azimuth < 360; azimuth += 10) {
-    Stage stage(definition);
-    most = std::max(most, hiddenIn(stage.look(from(azimuth, 60), 240, 160)));
-    stage.placer.forget();
-    CHECK(hiddenIn(stage.look(from(0, 0), 240, 160)) == ofItself);
-  }
-  CHECK(most > ofItself);   // or nothing was there to be forgotten
-}
-
-TEST_CASE("in a viewport that is too small the shortest lines are hidden until none runs into another, and never in one that is not") {
-  Stage stage(boxWithDoor());
-  std::size_t crowded = 0;
-  for (double azimuth = 0; azimuth < 360; azimuth += 2) {
-    for (const auto& [width, height] : {std::pair(240.0, 160.0), std::pair(1000.0, 1000.0)}) {
-      const Layout& layout = stage.look(orbitCamera({0, 1.5, 0}, 9, azimuth, 12), width, height);   // so near that lines stay inside
-      double longestHiddenM = 0;
-      for (const HiddenParameter& hidden : layout.hidden) {
-        if (hidden.reason != HiddenReason::kCrowded) continue;
-        CHECK(width < 1000);
-        ++crowded;
-        longestHiddenM = std::max(longestHiddenM, stage.values.at(hidden.parameter));
-      }
-      for (const PlacedLine& line : layout.lines) CHECK(line.lengthM >= longestHiddenM);
-      if (width < 1000 && layout.lines.size() > 2) {
-        for (std::size_t a = 0; a < layout.lines.size(); ++a) {
-          for (std::size_t b = 0; b < a; ++b) CHECK_FALSE(segmentsCross(layout.lines[a].lineScreen, layout.lines[b].lineScreen, kCrossingPx));
-        }
-      }
-    }
-  }
-  CHECK(crowded > 0);
 }
 
 TEST_CASE("a warmed-up orbit, in which lines change places and are mended, allocates nothing") {
@@ -681,34 +567,4 @@ TEST_CASE("a warmed-up frame allocates nothing") {
   for (std::size_t i = 0; i < all.size(); ++i) stage.placer.place(views[i], fields[i], stage.values, stage.layout);
   CHECK(allocationCount() == before);
   CHECK(stage.layout.lines.size() >= 4);
-}
-
-TEST_CASE("lines lie again where they lay in a picture that is recalled, whatever other scene was looked at since") {
-  ModelDefinition definition = boxWithDoor();
-  definition.parameters.resize(1);
-  definition.parameters[0].annotation = "@Handle(scope=Block, type=linear-contour, orient=up, slip=object)";
-  const auto blocks = std::make_shared<int>(5);
-  definition.build = [blocks](const Values&) {
-    const std::array<Obb, 5> all = {boxAt({0, 0, 0}, {1, 3, 1}), boxAt({5, 0, 1}, {1, 3, 1}), boxAt({6, 0, 5}, {1, 3, 1}), boxAt({2, 0, 8}, {1, 3, 1}), boxAt({-3, 0, 4}, {1, 3, 1})};
-    if (*blocks == 1) return sceneOf({{"Block", all[0]}});
-    return sceneOf({{"Block", all[0]}, {"Block", all[1]}, {"Block", all[2]}, {"Block", all[3]}, {"Block", all[4]}});
-  };
-  Stage stage(definition);
-  const auto turned = [](double azimuthDeg) { return orbitCamera({2, 1.5, 4}, 40, azimuthDeg, 25); };
-  for (int frame = 0; frame < 5; ++frame) stage.look(turned(frame));
-  const Placer::Memory memory = stage.placer.memory();
-  REQUIRE(stage.find("Width") != nullptr);
-  const Segment2 there = stage.find("Width")->lineScreen;
-
-  // Another scene, with fewer object planes, before a camera that turns; then back, by way of the memory.
-  *blocks = 1;
-  stage.rebuild();
-  for (int frame = 5; frame < 9; ++frame) stage.look(turned(frame));
-  *blocks = 5;
-  stage.rebuild();
-  stage.placer.recall(memory);
-  stage.look(turned(4));
-  REQUIRE(stage.find("Width") != nullptr);
-  CHECK(glm::length(stage.find("Width")->lineScreen.start - there.start) < 1e-9);
-  CHECK(glm::length(stage.find("Width")->lineScreen.end - there.end) < 1e-9);
 }
