@@ -12,37 +12,53 @@
  *     core.dispose();
  */
 
-const kModuleUrl = new URL("./build/dimline.js", import.meta.url).href;
+const kHere = import.meta.url;
+// Each file's address stands here whole, because bundlers look for that form: they copy what it names, and put its new address there.
+const kCore = { script: new URL("./build/dimline.js", import.meta.url), wasm: new URL("./build/dimline.wasm", import.meta.url) };
+const kGltf = { script: new URL("./build/dimline_gltf.js", import.meta.url), wasm: new URL("./build/dimline_gltf.wasm", import.meta.url) };
 
 /**
  * Loads the module and gives a core of its own, which must be disposed of. Each call is a WebAssembly instance by itself:
  * when one fails or goes, no other is touched, and its memory goes with it.
  *
  * @param {object} [options]
- * @param {string | URL} [options.url] where dimline.js lies, with dimline.wasm beside it; in build/ beside this file by default
+ * @param {string | URL} [options.url] where dimline.js lies, with the three other files of the build beside it; in build/ beside this file by default
+ * @param {number} [options.attempt] how often it was tried before
  */
-export async function createCore({ url = kModuleUrl } = {}) {
-  const address = new URL(url, import.meta.url);
-  return new Core(await startModule(address, "Editor"), address);
+export async function createCore({ url, attempt = 0 } = {}) {
+  const custom = url === undefined ? null : new URL(url, kHere);
+  const gltf = custom ? withWasmBeside(new URL("./dimline_gltf.js", custom)) : kGltf;
+  return new Core(await startModule(custom ? withWasmBeside(custom) : kCore, attempt, "Editor"), gltf);
 }
 
-/** An instance of one of the modules that the build makes, from its .js and the .wasm beside it; `entry` is what it must have. */
-async function startModule(url, entry) {
-  const name = url.pathname.split("/").pop();
+/** A module's two files when the .wasm lies beside the .js, under the same name. */
+function withWasmBeside(script) {
+  const wasm = new URL(script);
+  wasm.pathname = script.pathname.replace(/\.m?js$/, ".wasm");
+  return { script, wasm };
+}
+
+/**
+ * An instance of one of the modules that the build makes; `entry` is what it must have. A browser may remember that a module's address
+ * failed: another attempt asks by a new one.
+ */
+async function startModule({ script, wasm }, attempt, entry) {
+  const url = new URL(script);
+  if (attempt > 0) url.searchParams.set("attempt", attempt);
+  const name = (address) => address.pathname.split("/").pop();
   let createModule;
   try {
-    ({ default: createModule } = await import(/* @vite-ignore */ String(url)));
+    ({ default: createModule } = await import(/* @vite-ignore */ /* webpackIgnore: true */ String(url)));
   } catch (cause) {
-    throw new Error(`${name} could not be loaded from ${url}. Is it there, and the network up?`, { cause });
+    throw new Error(`${name(url)} could not be loaded from ${url}. Is it there, and the network up?`, { cause });
   }
   const isNoModule = () => new Error(`${url} is not the module of the Dimline core that should be there: it has no ${entry}.`);
   if (typeof createModule !== "function") throw isNoModule();
   let module;
   try {
-    module = await createModule({});
+    module = await createModule({ locateFile: () => String(wasm) });
   } catch (cause) {
-    const wasm = name.replace(/\.m?js$/, ".wasm");
-    throw new Error(`${wasm}, beside ${url}, could not be loaded or started. Is it there, and the network up?`, { cause });
+    throw new Error(`${name(wasm)} could not be loaded from ${wasm}, or not be started. Is it there, and the network up?`, { cause });
   }
   if (!module[entry]) throw isNoModule();
   return module;
@@ -53,13 +69,14 @@ export class Core {
   #editor;
   #contextHandle = 0;
   #models = null;
-  #gltfUrl;
+  #gltf;
   #gltfFailures = 0;
 
-  constructor(module, url) {
+  /** By createCore() alone. */
+  constructor(module, gltf) {
     this.#module = module;
     this.#editor = new module.Editor();
-    this.#gltfUrl = new URL("./dimline_gltf.js", url);
+    this.#gltf = gltf;
   }
 
   /** Frees the document, and the GL objects when a context is attached. Nothing may be called afterwards. */
@@ -105,12 +122,9 @@ export class Core {
     return result.scene;
   }
 
-  // A browser may remember that a module's address failed; another attempt asks by a new one.
   async #startGltfReader() {
-    const url = new URL(this.#gltfUrl);
-    if (this.#gltfFailures > 0) url.searchParams.set("attempt", this.#gltfFailures);
     try {
-      return await startModule(url, "importGltf");
+      return await startModule(this.#gltf, this.#gltfFailures, "importGltf");
     } catch (error) {
       ++this.#gltfFailures;
       throw error;
@@ -230,7 +244,8 @@ export class Core {
     this.#editor.setOrthographic(Boolean(on));
   }
 
-  // --- Input; positions in CSS pixels from the canvas's top left. What it takes hold of: "handle", "camera" or "" ---
+  // --- Input; positions in CSS pixels from the canvas's top left. What it takes hold of: "handle", "camera" or "". Modifiers are the sum of
+  // 1 for shift, 2 for control, 4 for alt and 8 for command ---
 
   pointerDown(id, kind, button, x, y, modifiers) {
     return this.#editor.pointerDown(id, kind, button, x, y, modifiers);

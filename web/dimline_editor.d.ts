@@ -40,6 +40,8 @@ interface CameraPose {
   up?: Point3;
 }
 export type Camera = CameraPose & ({ fovDeg: number } | { orthoHeight: number });
+/** As it is given back: nothing is left out. */
+export type PlacedCamera = Required<CameraPose> & ({ fovDeg: number } | { orthoHeight: number });
 
 export type ViewName = "three-quarter" | "front" | "back" | "left" | "right" | "top";
 
@@ -135,7 +137,7 @@ export class DimlineEditor extends HTMLElement {
 
   getParameters(): Parameter[];
   setParameters(values: Values): void;
-  getCamera(): Required<CameraPose> & ({ fovDeg: number } | { orthoHeight: number });
+  getCamera(): PlacedCamera;
   setCamera(camera: Camera): void;
   settled(): Promise<void>;
   layout(): Frame;
@@ -169,7 +171,7 @@ export class DimlineEditor extends HTMLElement {
   addEventListener(type: string, listener: EventListenerOrEventListenerObject, options?: boolean | AddEventListenerOptions): void;
 }
 
-export interface DimlineEditorEventMap extends HTMLElementEventMap {
+export interface DimlineEditorEventMap extends Omit<HTMLElementEventMap, "input"> {
   load: Event;
   error: ErrorEvent;
   input: Event;

@@ -40,6 +40,8 @@ function makeContextBefore(coming, canvas) {
  * - `initial-values` (`initialValues`): what a model begins with where that is not its defaults, as in '{"Width": 9}'; read when a model is loaded, so for
  *   another model it is given anew, before or after `model` but in the same task
  * - `lang`: the language in whose manner numbers are written, as in "9,40 m"; the visitor's own by default
+ * - `wheel`: "ctrl" makes the wheel zoom only while Ctrl or the command key is held (a pinch on a track pad counts as that) and scroll the page otherwise;
+ *   without it, it always zooms
  * - `core-url` (`coreUrl`): where dimline.js lies, when not in build/ beside this file; read when the element enters a document
  *
  * Events; all but `error` bubble and leave the shadow tree:
@@ -343,7 +345,7 @@ export class DimlineEditor extends Base {
     try {
       const url = this.#coreAddress();
       // Making a context can take long, and the core's files come in meanwhile.
-      const coming = createCore(url ? { url } : {});
+      const coming = createCore({ url, attempt: this.#attempt++ });
       const font = loadLabelFont(this.ownerDocument);
       const size = new CanvasSize(
         this.#parts.stage,
@@ -377,16 +379,9 @@ export class DimlineEditor extends Base {
     }
   }
 
-  // A browser may remember that a module's address failed; another attempt asks by a new one.
   #coreAddress() {
-    const attempt = this.#attempt++;
-    if (!this.coreUrl && attempt === 0) return null;
     const given = this.coreUrl;
-    const url = given
-      ? absoluteUrl(given, document.baseURI, `The attribute core-url is no address: "${given}".`)
-      : new URL("./build/dimline.js", import.meta.url);
-    if (attempt > 0) url.searchParams.set("attempt", attempt);
-    return url;
+    return given ? absoluteUrl(given, document.baseURI, `The attribute core-url is no address: "${given}".`) : undefined;
   }
 
   #build(signal) {
@@ -406,6 +401,7 @@ export class DimlineEditor extends Base {
       act: (call) => this.#act(call),
       changed: () => this.#requestFrame(),
       guard: (call) => this.#guard(call),
+      wheelZooms: (event) => this.getAttribute("wheel") !== "ctrl" || event.ctrlKey || event.metaKey,
       pointed: () => this.#overlay.pointed(),
       cursorAt: (x, y, onHandle) => this.#overlay.cursorAt(x, y, onHandle),
       tapped: (tap) => this.#overlay.tapped(tap),

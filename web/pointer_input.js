@@ -46,6 +46,7 @@ export class PointerInput {
    *   core(): null while there is none
    *   changed(): a frame is wanted
    *   guard(call): runs a call into the core
+   *   wheelZooms(event): whether a turn of the wheel is the picture's, not the page's
    *   pointed(): the mouse was moved over the picture or away from it; whether what it points at shall be marked
    *   cursorAt(x, y, onHandle): the cursor for a mouse that rests there
    *   tapped(tap), doubleTapped(tap): {x, y, touch, target} in the stage, and clientX, clientY in the window
@@ -273,7 +274,7 @@ export class PointerInput {
 
   // What goes sideways is the page's: it scrolls, or goes back in its history.
   #wheel(event) {
-    if (Math.abs(event.deltaX) > Math.abs(event.deltaY)) return;
+    if (Math.abs(event.deltaX) > Math.abs(event.deltaY) || !this.#host.wheelZooms(event)) return;
     event.preventDefault();
     const unit = event.deltaMode === 1 ? kWheelLinePx : event.deltaMode === 2 ? this.#stage.offsetHeight : 1;
     this.#host.guard(() => {

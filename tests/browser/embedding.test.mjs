@@ -229,6 +229,26 @@ test("a wheel that goes sideways is the page's", () =>
     assert.notDeepEqual(await cameraOf(page), camera);
   }));
 
+test("a page may keep the wheel for itself, but for the one with Ctrl", () =>
+  withPage({}, async (page) => {
+    await page.evaluate(() => document.querySelector("dimline-editor").setAttribute("wheel", "ctrl"));
+    const { x, y, width, height } = await pictureBox(page);
+    await page.mouse.move(x + width / 2, y + height / 2);
+    const camera = await cameraOf(page);
+    const turned = page.evaluate(
+      () => new Promise((resolve) => window.addEventListener("wheel", (event) => resolve(event.defaultPrevented), { once: true })),
+    );
+    await page.mouse.wheel(0, 200);
+    assert.equal(await turned, false, "the page scrolls");
+    await settle(page);
+    assert.deepEqual(await cameraOf(page), camera);
+    await page.keyboard.down("Control");
+    await page.mouse.wheel(0, 200);
+    await page.keyboard.up("Control");
+    await settle(page);
+    assert.notDeepEqual(await cameraOf(page), camera);
+  }));
+
 test("a glTF file is shown without a picture that is missing, and not without a buffer", () =>
   withPage({}, async (page) => {
     const gltf = tetrahedronGltf();

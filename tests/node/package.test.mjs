@@ -3,7 +3,7 @@ import { test } from "node:test";
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { brotliCompressSync, constants } from "node:zlib";
-import { createCore } from "../../web/core.js";
+import { Core, createCore } from "../../web/core.js";
 
 const url = new URL("../../build/wasm/dimline.js", import.meta.url);
 const kWeb = new URL("../../web/", import.meta.url);
@@ -27,15 +27,25 @@ test("the element's module can be imported, and there is no element", async () =
   assert.equal(globalThis.customElements, undefined);
 });
 
+function declaredMembers(file, name) {
+  const types = readFileSync(new URL(file, kWeb), "utf8");
+  const body = types.slice(types.indexOf(`export class ${name}`));
+  const text = body.slice(0, body.indexOf("\n}"));
+  const members = [...text.matchAll(/^  (?:readonly |get |set )?(\w+)[(:]/gm)].map(([, member]) => member);
+  return [...new Set(members)].sort();
+}
+
 test("the types declare exactly what the element has", async () => {
   const { DimlineEditor } = await import("../../web/dimline_editor.js");
   const kLifecycle = ["constructor", "connectedCallback", "disconnectedCallback", "adoptedCallback", "attributeChangedCallback"];
   const members = Object.getOwnPropertyNames(DimlineEditor.prototype).filter((name) => !kLifecycle.includes(name));
-  const types = readFileSync(new URL("dimline_editor.d.ts", kWeb), "utf8");
-  const body = types.slice(types.indexOf("export class DimlineEditor"));
-  const text = body.slice(0, body.indexOf("\n}"));
-  const declared = [...text.matchAll(/^  (?:readonly |get |set )?(\w+)[(:]/gm)].map(([, name]) => name).filter((name) => name !== "addEventListener");   // inherited
-  assert.deepEqual([...new Set(declared)].sort(), members.sort());
+  const declared = declaredMembers("dimline_editor.d.ts", "DimlineEditor").filter((name) => name !== "addEventListener");   // inherited
+  assert.deepEqual(declared, members.sort());
+});
+
+test("the types declare exactly what the core has", () => {
+  const members = Object.getOwnPropertyNames(Core.prototype).filter((name) => name !== "constructor");
+  assert.deepEqual(declaredMembers("core.d.ts", "Core"), members.sort());
 });
 
 test("a core lays out the house, and forgets everything when it is disposed of", async (t) => {
@@ -77,19 +87,32 @@ test("a module that is not there is an Error that names it", async () => {
   await assert.rejects(createCore({ url: new URL("../../tools/node_reporter.mjs", url) }), /dimline\.wasm|core/);
 });
 
-test("the page's head names every module that the page runs, so that none is asked for only when another has come", () => {
-  const needed = new Set();
+/** The modules of web/ that load when this one does, itself too, and the other files that they name. */
+function neededBy(...modules) {
+  const needed = { modules: new Set(), files: new Set() };
   const follow = (name) => {
-    if (needed.has(name)) return;
-    needed.add(name);
+    if (needed.modules.has(name)) return;
+    needed.modules.add(name);
     const text = readFileSync(new URL(name, kWeb), "utf8").replace(/\/\*[^]*?\*\//g, "");
     for (const [, imported] of text.matchAll(/^import\s[^;]*?"\.\/([^"]+)";/gm)) follow(imported);
+    for (const [, file] of text.matchAll(/new URL\("\.\/([^"]+)", import\.meta\.url\)/g)) needed.files.add(file);
   };
-  follow("page.js");
-  assert.ok(needed.size > 20);
+  modules.forEach(follow);
+  return needed;
+}
+
+test("the page's head names every module that the page runs, so that none is asked for only when another has come", () => {
+  const { modules } = neededBy("page.js");
+  assert.ok(modules.size > 20);
   const html = readFileSync(new URL("index.html", kWeb), "utf8");
   const preloaded = [...html.matchAll(/<link rel="modulepreload" href="([^"]+)">/g)].map(([, href]) => href);
-  assert.deepEqual(preloaded.filter((href) => !href.startsWith("build/")).sort(), [...needed].filter((name) => name !== "page.js").sort());
+  assert.deepEqual(preloaded.filter((href) => !href.startsWith("build/")).sort(), [...modules].filter((name) => name !== "page.js").sort());
+});
+
+test("the package holds what the element needs, its types, the font's licence, and nothing else", () => {
+  const { modules, files } = neededBy("dimline_editor.js", "core.js");
+  const needed = [...modules, ...files, "core.d.ts", "dimline_editor.d.ts", "assets/fonts/OFL.txt"];
+  assert.deepEqual(JSON.parse(readFileSync(new URL("package.json", kWeb), "utf8")).files.sort(), needed.sort());
 });
 
 test("what every page fetches of the core is at most 300 kB, compressed", () => {
