@@ -231,8 +231,8 @@ std::vector<Parameter> treeParameters(const TreeDefaults& d) {
   const auto title = [&](const char* own) { return d.suffix.empty() ? std::string(own) : own + (" " + d.suffix); };
   const auto handle = [&](const char* scope, const std::string& rest) { return "@Handle(scope=" + (scope + d.suffix) + ", " + rest + ")"; };
   // A tree has no sides: its heights turn with the viewer (paper 3.1, principle 3) and stay on its left and right. In a row such lines would lead straight across the other trees: there they keep to
-  // the planes around the whole row.
-  const std::string slip = d.suffix.empty() ? "billboard" : "object";
+  // the planes along the row and across it.
+  const std::string slip = d.suffix.empty() ? "billboard" : "scope";
   std::vector<Parameter> p(kTreeParameterCount);
   p[kRealistic] = switchParameter("Realistic" + d.suffix, title("Realistic"), true,
       {group("Tree"), "A grown tree with bark and leaves, or the stack of discs that stands for one on an architect's model.",
@@ -246,7 +246,7 @@ std::vector<Parameter> treeParameters(const TreeDefaults& d) {
        handle("Stem", "type=linear-contour, orient=up, align=right, slip=" + slip)});
   p[kTrunkDiameter] = lengthParameter("TrunkDiameter" + d.suffix, title("Trunk diameter"), {d.trunkDiameter, 0.2, 0.9, 0.05},
       {group("Stem"), "How thick the stem is above its roots.",
-       handle("Trunk", "type=diametric, orient=up, slip=scope, align=bottom")});
+       handle("Trunk", "type=diametric, orient=up, slip=scope")});
   p[kCrownHeight] = lengthParameter("CrownHeight" + d.suffix, title("Crown height"), {d.crownHeight, 3, 10, 0.1},
       {group("Crown"), "How high the crown is, from its lowest to its uppermost leaf.",
        handle("Crown", "type=linear-center, orient=up, align=left, slip=" + slip)});
