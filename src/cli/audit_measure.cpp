@@ -152,7 +152,10 @@ std::optional<double> nearerBy(const PlacedLine& a, const PlacedLine& b, double 
   const double outB = glm::dot(b.lineScreen.middle() - b.baseScreen.middle(), shared->across);
   if (outA * outB <= 0) return std::nullopt;
   const double side = outA > 0 ? 1 : -1;
-  return side * glm::dot(shared->a.middle() - shared->b.middle(), shared->across);
+  const double by = side * glm::dot(shared->a.middle() - shared->b.middle(), shared->across);
+  const Vec2 beyond = by < 0 ? a.lineScreen.middle() - b.baseScreen.middle() : b.lineScreen.middle() - a.baseScreen.middle();
+  if (side * glm::dot(beyond, shared->across) <= 0) return std::nullopt;
+  return by;
 }
 
 void FrameAudit::nesting() {

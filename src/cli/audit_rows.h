@@ -19,7 +19,8 @@ namespace dimline {
 ///   beside each other  projected onto their mean direction on screen, two lines share at least 2 px; how far they are
 ///                      apart is measured over the shared stretch alone
 ///   on one guide       the carriers in the world agree within kSamePlaneAngleRad and kSamePlaneDistance of the model
-///   one side           both lines have moved from their base lines to the same side, across their mean direction
+///   one side           across their mean direction both lines have moved from their base lines to the same side, and the nearer one beyond the other's base
+///                      line too: short of it, it stands at another part of the model
 ///   distance to model  to the nearest covered pixel's centre, less half a pixel (see MaskPicture)
 enum class AuditRow : std::uint8_t {
   /// Outside lines that pass through a pixel of the mask eroded by 1 px (a pixel stays when its eight neighbours are

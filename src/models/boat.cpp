@@ -32,7 +32,7 @@ std::vector<dimline::Parameter> boatParameters() {
                        "@Handle(scope=Waterline, type=linear-center, orient=up, slip=scope, occlusion=false)"});
   p[kSheer] = lengthParameter("Sheer", "Sheer", {1.3, 0.4, 2.2, 0.05},
                               {"Hull", "How far the main deck rises from amidships to the stern.",
-                               "@Handle(scope=Sheer, type=linear-center, orient=up, slip=scope, occlusion=false)"});
+                               "@Handle(scope=Sheer, type=linear-center, orient=up, slip=scope, occlusion=false, min-length=24)"});
   p[kBeakLength] =
       lengthParameter("BeakLength", "Length of beakhead", {5, 2.5, 7, 0.1},
                       {"Hull", "How far the beakhead, the spur under the bowsprit, reaches out before the stem.",
@@ -41,7 +41,7 @@ std::vector<dimline::Parameter> boatParameters() {
   p[kGunPortSpacing] =
       lengthParameter("GunPortSpacing", "Gun port spacing", {2.8, 2.2, 4.5, 0.05},
                       {"Guns", "About how far apart the gun ports are; each side takes as many as fit evenly.",
-                       "@Handle(scope=GunBay, type=linear-center, orient=right, slip=scope, chained, indirect)"});
+                       "@Handle(scope=GunBay, type=linear-center, orient=right, slip=scope, indirect)"});
   p[kGunsRunOut] = switchParameter("GunsRunOut", "Guns run out", true,
                                    {"Guns", "Whether the ports are open and the guns run out, or the lids shut.",
                                     "@Handle(scope=Battery, type=boolean, orient=down)"});
@@ -51,7 +51,7 @@ std::vector<dimline::Parameter> boatParameters() {
                                           "@Handle(scope=Forecastle, type=linear-center, orient=left, slip=scope)"});
   p[kForecastleHeight] = lengthParameter("ForecastleHeight", "Height of forecastle", {2.2, 1.8, 3.2, 0.05},
                                          {"Castles", "How high the forecastle's deck lies above the main deck.",
-                                          "@Handle(scope=Forecastle, type=linear-center, orient=up, slip=scope)"});
+                                          "@Handle(scope=Forecastle, type=linear-center, orient=up, slip=scope, min-length=28)"});
   p[kSternDecks] = countParameter(
       "SternDecks", "Decks of the sterncastle", {3, 1, 3, 1}, "deck",
       {"Castles", "How many decks the sterncastle has above the main deck: half deck, quarterdeck and poop.",
@@ -59,7 +59,7 @@ std::vector<dimline::Parameter> boatParameters() {
   p[kSternDeckHeight] = lengthParameter(
       "SternDeckHeight", "Height between stern decks", {2.1, 1.8, 2.6, 0.05},
       {"Castles", "How high each deck of the sterncastle lies above the one below it.",
-       "@Handle(scope=SternDeck, type=linear-center, orient=up, slip=scope, chained, occlusion=false)"});
+       "@Handle(scope=SternDeck, type=linear-center, orient=up, slip=scope, chained, occlusion=false, min-length=28)"});
   p[kGalleryDepth] =
       lengthParameter("GalleryDepth", "Depth of gallery", {1.2, 0.6, 2, 0.05},
                       {"Castles", "How far the gallery, the walk outside the great cabin, reaches out over the stern.",
@@ -108,7 +108,7 @@ std::vector<dimline::Parameter> boatParameters() {
   p[kSailBelly] =
       lengthParameter("SailBelly", "Belly of main course", {1.9, 0.4, 3, 0.05},
                       {"Sails", "How far the wind fills the main course forward of its yard; the other sails follow.",
-                       "@Handle(scope=MainSailBelly, type=linear-center, orient=right, slip=scope, occlusion=false)"});
+                       "@Handle(scope=MainSailBelly, type=linear-center, orient=right, slip=scope, occlusion=false, min-length=28)"});
   return p;
 }
 

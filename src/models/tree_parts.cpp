@@ -230,7 +230,7 @@ std::vector<Parameter> treeParameters(const TreeDefaults& d) {
   const auto group = [&](const char* own) { return d.group.empty() ? std::string(own) : d.group; };
   const auto title = [&](const char* own) { return d.suffix.empty() ? std::string(own) : own + (" " + d.suffix); };
   const auto handle = [&](const char* scope, const std::string& rest) { return "@Handle(scope=" + (scope + d.suffix) + ", " + rest + ")"; };
-  // A tree has no sides: its heights turn with the viewer (paper 3.1, principle 3) and stay on its left and right. In a row such lines would lead straight across the other trees: there they keep to
+  // A tree has no sides: its heights turn with the viewer (paper 3.1, principle 3). In a row such lines would lead straight across the other trees: there they keep to
   // the planes along the row and across it.
   const std::string slip = d.suffix.empty() ? "billboard" : "scope";
   std::vector<Parameter> p(kTreeParameterCount);
@@ -243,13 +243,13 @@ std::vector<Parameter> treeParameters(const TreeDefaults& d) {
        handle("Foliage", "type=range, orient=up, translate={0, -0.5, 0}")});
   p[kStemHeight] = lengthParameter("StemHeight" + d.suffix, title("Stem height"), {d.stemHeight, 1.5, 6, 0.1},
       {group("Stem"), "How high the stem is clear of branches, from the ground to the crown.",
-       handle("Stem", "type=linear-contour, orient=up, align=right, slip=" + slip)});
+       handle("Stem", "type=linear-contour, orient=up, slip=" + slip)});
   p[kTrunkDiameter] = lengthParameter("TrunkDiameter" + d.suffix, title("Trunk diameter"), {d.trunkDiameter, 0.2, 0.9, 0.05},
       {group("Stem"), "How thick the stem is above its roots.",
-       handle("Trunk", "type=diametric, orient=up, slip=scope")});
+       handle("Trunk", "type=diametric, orient=up, slip=billboard")});
   p[kCrownHeight] = lengthParameter("CrownHeight" + d.suffix, title("Crown height"), {d.crownHeight, 3, 10, 0.1},
       {group("Crown"), "How high the crown is, from its lowest to its uppermost leaf.",
-       handle("Crown", "type=linear-center, orient=up, align=left, slip=" + slip)});
+       handle("Crown", "type=linear-center, orient=up, slip=" + slip)});
   p[kCrownWidth] = lengthParameter("CrownWidth" + d.suffix, title("Crown width"), {d.crownWidth, 2.5, 10, 0.1},
       {group("Crown"), "How wide the crown is where it is widest.",
        handle("Crown", "type=diametric, orient=up, slip=scope")});

@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include "core/reserved.h"
 #include "core/sort_keys.h"
 #include "placement/trial.h"
 
@@ -51,8 +52,9 @@ class Chooser {
   Trial trial_;                             ///< of the candidate that is looked at
   std::vector<UsableBaseLine> bases_;
   std::vector<UsableBaseLine> chainBases_;
-  std::vector<Candidate> candidates_;
-  std::vector<SortKey> ranked_;             ///< candidates_, the best first; of equal scores the one that was gathered first
+  static constexpr std::size_t kReservedCandidates = 256;   // of one line; one that slips along an object's faces has more than a hundred now and then
+  std::vector<Candidate> candidates_ = withRoomFor<Candidate>(kReservedCandidates);
+  std::vector<SortKey> ranked_ = withRoomFor<SortKey>(kReservedCandidates);             ///< candidates_, the best first; of equal scores the one that was gathered first
   std::vector<SlipPlane> slipPlanes_;
 };
 

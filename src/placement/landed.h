@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "core/reserved.h"
 #include "placement/layout.h"
 
 namespace dimline {
@@ -18,6 +19,9 @@ inline std::array<Segment2, 4> extensionParts(const Segment2& base, const Segmen
 /// whether a label has room, and whether a line may lie on a guide.
 class Landed {
  public:
+  /// There is room for so many from the start: inside the model are none in most frames, and then suddenly some.
+  static constexpr std::size_t kReservedLines = 32;
+
   void clear();
   /// `guide`: the number of the guide that the line lies on or has made; -1 when it has none.
   void add(const PlacedLine& line, int guide);
@@ -106,9 +110,9 @@ class Landed {
   };
   [[nodiscard]] bool crossesLine(const Segment2& segment) const;
 
-  std::vector<Line> lines_;
-  std::vector<Extension> extensions_;
-  std::vector<Box2> labels_;
+  std::vector<Line> lines_ = withRoomFor<Line>(kReservedLines);
+  std::vector<Extension> extensions_ = withRoomFor<Extension>(2 * kReservedLines);
+  std::vector<Box2> labels_ = withRoomFor<Box2>(kReservedLines);
 };
 
 }  // namespace dimline

@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include "core/reserved.h"
 #include "placement/landed.h"
 #include "placement/measured.h"
 
@@ -50,8 +51,8 @@ class LookAhead {
   };
   /// Lines outside the model, or lines inside it.
   struct Lines {
-    std::vector<Line> past;      ///< of the last frame that differed from this one
-    std::vector<Line> present;   ///< of this frame so far
+    std::vector<Line> past = withRoomFor<Line>(Landed::kReservedLines);      ///< of the last frame that differed from this one
+    std::vector<Line> present = withRoomFor<Line>(Landed::kReservedLines);   ///< of this frame so far
     Landed ahead;
     std::vector<Landed::Mark> marks;   ///< one a rank: how much of `ahead` is of later ranks
 

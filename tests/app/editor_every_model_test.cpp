@@ -242,7 +242,7 @@ TEST_CASE("a line that is let go of keeps its place, and leaps nowhere, on the g
   EditorStage stage(galleon->define());
   stage.editor.setReducedMotion(true);
   stage.settle();
-  for (const char* name : {"Length", "Beam", "MizzenMastHeight", "ForecastleHeight"}) {
+  for (const char* name : {"Length", "Beam", "MizzenMastHeight", "ForecastleLength"}) {
     INFO(name);
     const PlacedLine* line = stage.line(name);
     REQUIRE(line != nullptr);

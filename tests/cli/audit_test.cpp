@@ -231,6 +231,8 @@ TEST_CASE("audit: of two parallel lines on one side the longer is farther out") 
   CHECK(swapped(kC, vertical(100, 220, 180), vertical(10, 220, 180)).offences == 1);
   CHECK(swapped(kC, vertical(300, 220, 180), vertical(330, 220, 180)).judged == 0);  // on the other side
   CHECK(swapped(kC, vertical(100, 281, 121), vertical(10, 281, 121)).judged == 0);   // of one length
+  CHECK(swapped(kC, vertical(35, 220, 180), vertical(10, 220, 180)).judged == 0);    // at a part of the model that is farther out than the other line
+  CHECK(swapped(kC, vertical(45, 220, 180), vertical(10, 220, 180)).offences == 1);
 
   SECTION("a chain counts as one line of its members' mean length") {
     swapped(kC, vertical(100, 220, 180), vertical(10, 220, 180)).offences;
