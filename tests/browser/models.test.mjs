@@ -42,6 +42,20 @@ test("the menu shows every model with its picture and its name, the present one 
   await close();
 });
 
+test("the way to other models is there under the model's name, clear of the tools, on every screen", async () => {
+  for (const [width, height] of [[1280, 800], [1000, 700], [844, 390], [667, 375], [640, 360], [390, 844], [320, 568]]) {
+    const { page, close } = await openPage(browser, { width, height, touch: width < 900, drawn: false });
+    const { name, button, tools } = await page.evaluate(() => {
+      const boxOf = (selector) => document.querySelector(selector).getBoundingClientRect();
+      return { name: boxOf("#document").width, button: boxOf("#model"), tools: ["#undo", '[data-view="three-quarter"]'].map(boxOf) };
+    });
+    const where = `${width}x${height}`;
+    assert.ok(name >= 48, `${where}: ${name} px of the name`);
+    for (const tool of tools) assert.ok(tool.top >= button.bottom || tool.left >= button.right, `${where}: a tool lies over the name`);
+    await close();
+  }
+});
+
 test("the panel of another model begins at its top", async () => {
   const { page, close } = await openPage(browser, { drawn: false });
   const scroller = page.locator("#panel .scroller");
