@@ -27,15 +27,10 @@ const kGltf = { script: new URL("./build/dimline_gltf.js", import.meta.url), was
  */
 export async function createCore({ url, attempt = 0 } = {}) {
   const custom = url === undefined ? null : new URL(url, kHere);
-  const gltf = custom ? withWasmBeside(new URL("./dimline_gltf.js", custom)) : kGltf;
-  return new Core(await startModule(custom ? withWasmBeside(custom) : kCore, attempt, "Editor"), gltf);
-}
-
-/** A module's two files when the .wasm lies beside the .js, under the same name. */
-function withWasmBeside(script) {
-  const wasm = new URL(script);
-  wasm.pathname = script.pathname.replace(/\.m?js$/, ".wasm");
-  return { script, wasm };
+  const beside = (name) => new URL(name, custom);
+  const core = custom ? { script: custom, wasm: beside("dimline.wasm") } : kCore;
+  const gltf = custom ? { script: beside("dimline_gltf.js"), wasm: beside("dimline_gltf.wasm") } : kGltf;
+  return new Core(await startModule(core, attempt, "Editor"), gltf);
 }
 
 /**

@@ -7,6 +7,7 @@
 #include "gltf/gltf_reader.h"
 #include "model/unknown_scopes.h"
 #include "models/models.h"
+#include "placement/untrue_lengths.h"
 
 namespace dimline {
 
@@ -32,7 +33,9 @@ Result<std::string_view> modelArgument(const Arguments& arguments) {
 void printNotes(std::string_view name, const Model& model, bool builtIn, std::ostream& err) {
   const auto note = [&](const std::string& diagnostic) { err << "dimline: note: " << name << ": " << diagnostic << "\n"; };
   std::ranges::for_each(model.diagnostics, note);
-  if (builtIn) std::ranges::for_each(findUnknownScopes(model), note);
+  if (!builtIn) return;
+  std::ranges::for_each(findUnknownScopes(model), note);
+  std::ranges::for_each(findUntrueLengths(model), note);
 }
 
 Result<Model> loadModel(std::string_view nameOrPath, std::ostream& err) {
