@@ -7,6 +7,8 @@ import sys
 import time
 from pathlib import Path
 
+import setup
+
 ROOT = Path(__file__).resolve().parent.parent
 STEP = re.compile(r"^\[(\d+)/(\d+)\] ")
 SECONDS_BETWEEN_LINES = 15  # of progress, where there is no terminal to redraw a line on
@@ -70,3 +72,19 @@ def build(preset: str, keep_going: bool = False, background: bool = False) -> No
     if not (folder / "build.ninja").exists():
         stream_build(["cmake", "--preset", preset], preset, background)
     stream_build(["cmake", "--build", str(folder), *(["--", "-k", "0"] if keep_going else [])], preset, background)
+
+
+def core(program: str, purpose: str = "build") -> bool:
+    """Installs what is missing for a purpose (setup.install) and builds the WebAssembly core. False when that failed; why has been said then, in the program's name."""
+    try:
+        setup.install(purpose)
+        if not (ROOT / "build/wasm/dimline.wasm").exists():
+            print("Building the WebAssembly core; the first time takes a minute or two.", flush=True)
+        build("wasm")
+    except setup.SetupError as error:
+        print(f"{program}: {error}", file=sys.stderr)
+        return False
+    except BuildError as error:
+        print(f"{error}\n{program}: the build of the WebAssembly core failed; the reason stands above.", file=sys.stderr)
+        return False
+    return True

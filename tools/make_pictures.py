@@ -39,11 +39,7 @@ def what_to_draw(options) -> list:
 
 def main() -> int:
     options = parse_arguments()
-    try:
-        setup.install("test")
-        build.build("wasm")
-    except (setup.SetupError, build.BuildError) as error:
-        print(error, file=sys.stderr)
+    if not build.core("make_pictures", "test"):
         return 1
     server = serve.Server("127.0.0.1", 0)
     threading.Thread(target=server.serve_forever, daemon=True).start()

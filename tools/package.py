@@ -18,7 +18,6 @@ import tarfile
 from pathlib import Path
 
 import build
-import setup
 
 ROOT = Path(__file__).resolve().parent.parent
 OUTPUT = ROOT / "build/package"
@@ -30,10 +29,8 @@ class PackageError(Exception):
     """Something that belongs to the package is not there; the text says what."""
 
 
-def packed_files(web: Path) -> list:
-    """The paths inside the package, sorted: what its package.json lists and what npm always packs."""
-    listed = json.loads((web / "package.json").read_text())["files"]
-    return sorted({*listed, *ALWAYS_PACKED})
+def read_manifest(root: Path = ROOT) -> dict:
+    return json.loads((root / "web/package.json").read_text())
 
 
 def source_of(path: str, root: Path) -> Path:
@@ -47,9 +44,9 @@ def source_of(path: str, root: Path) -> Path:
     return root / "web" / path
 
 
-def write_folder(folder: Path, root: Path = ROOT) -> list:
-    """Replaces the folder by the package's files; gives their paths in it. Raises PackageError."""
-    paths = packed_files(root / "web")
+def write_folder(folder: Path, manifest: dict, root: Path = ROOT) -> list:
+    """Replaces the folder by the package's files, which are what the manifest lists and what npm always packs; gives their paths in it, sorted. Raises PackageError."""
+    paths = sorted({*manifest["files"], *ALWAYS_PACKED})
     missing = [path for path in paths if not source_of(path, root).is_file()]
     if missing:
         raise PackageError(f"missing for the package: {', '.join(missing)}. "
@@ -81,20 +78,13 @@ def parse_arguments(arguments=None):
 
 def main() -> int:
     options = parse_arguments()
-    version = json.loads((ROOT / "web/package.json").read_text())["version"]
-    folder, archive = OUTPUT / "dimline", OUTPUT / f"dimline-{version}.tgz"
+    if not options.no_build and not build.core("package"):
+        return 1
+    manifest = read_manifest()
+    folder, archive = OUTPUT / "dimline", OUTPUT / f"dimline-{manifest['version']}.tgz"
     try:
-        if not options.no_build:
-            setup.install("build")
-            build.build("wasm")
-        paths = write_folder(folder)
+        paths = write_folder(folder, manifest)
         write_archive(archive, folder, paths)
-    except setup.SetupError as error:
-        print(f"package: {error}", file=sys.stderr)
-        return 1
-    except build.BuildError as error:
-        print(f"{error}\npackage: the build of the WebAssembly core failed; the reason stands above.", file=sys.stderr)
-        return 1
     except PackageError as error:
         print(f"package: {error}", file=sys.stderr)
         return 1

@@ -22,7 +22,6 @@ from typing import NamedTuple
 from urllib.parse import quote, unquote, urlsplit
 
 import build
-import setup
 
 ROOT = Path(__file__).resolve().parent.parent
 DEFAULT_PORT = 8000
@@ -209,18 +208,8 @@ def parse_arguments(arguments=None):
 
 def main() -> int:
     options = parse_arguments()
-    if not options.no_build:
-        try:
-            setup.install("build")
-            if not (ROOT / "build/wasm/dimline.wasm").exists():
-                print("Building the WebAssembly core; the first time takes a minute or two.", flush=True)
-            build.build("wasm")
-        except setup.SetupError as error:
-            print(f"serve: {error}", file=sys.stderr)
-            return 1
-        except build.BuildError as error:
-            print(f"{error}\nserve: the build of the WebAssembly core failed; the reason stands above.", file=sys.stderr)
-            return 1
+    if not options.no_build and not build.core("serve"):
+        return 1
     if not (ROOT / "build/wasm/dimline.wasm").exists():
         print("serve: there is no build/wasm/dimline.wasm. Start without --no-build once.", file=sys.stderr)
         return 1

@@ -12,8 +12,9 @@
  *     core.dispose();
  */
 
+// Each file's address stands here whole, because bundlers look for that form: they copy what it names, and put its new address there. What is not known
+// before it runs must not look like that, or they warn.
 const kHere = import.meta.url;
-// Each file's address stands here whole, because bundlers look for that form: they copy what it names, and put its new address there.
 const kCore = { script: new URL("./build/dimline.js", import.meta.url), wasm: new URL("./build/dimline.wasm", import.meta.url) };
 const kGltf = { script: new URL("./build/dimline_gltf.js", import.meta.url), wasm: new URL("./build/dimline_gltf.wasm", import.meta.url) };
 

@@ -1,10 +1,7 @@
-#include <algorithm>
-
 #include <catch2/catch.hpp>
 
 #include "cli/audit_run.h"
 #include "cli/audit_stage.h"
-#include "cli/run_program.h"
 
 // A case for each row of DESIGN.md section 8's first table: a layout that breaks it, and one that just does not.
 
@@ -523,79 +520,6 @@ TEST_CASE("audit: a tally of parts is the tally of the whole") {
     CHECK(tally->worst(AuditRow::kNesting, 1).size() == 1);
   }
   CHECK(whole.figure(AuditRow::kChainMembers).met);  // nothing judged
-}
-
-TEST_CASE("dimline audit prints a table, and the same as JSON") {
-  const std::vector<std::string> plan{"--step", "30", "--every", "6", "--worst", "2", "--size", "500x500"};
-  std::vector<std::string> arguments{"audit", "house"};
-  arguments.insert(arguments.end(), plan.begin(), plan.end());
-  const Run table = runProgram(arguments);
-  REQUIRE(table.status == 0);
-  CHECK(table.out.find("outside lines that cross the model") != std::string::npos);
-  CHECK(table.out.find("of 17 aims met.") != std::string::npos);
-
-  arguments.emplace_back("--json");
-  const Run run = runProgram(arguments);
-  REQUIRE(run.status == 0);
-  const auto audits = parsed(run.out);
-  REQUIRE(audits.size() == 1);
-  CHECK(audits[0]["model"] == "house");
-  REQUIRE(audits[0]["parts"].size() == 1);
-  const auto& part = audits[0]["parts"][0];
-  CHECK(part["part"] == "orbits");
-  CHECK(part["frames"] == 36);
-  REQUIRE(part["rows"].size() == kAuditRowCount);
-  for (const auto& row : part["rows"]) {
-    INFO(row.dump());
-    for (const char* key :
-         {"row", "title", "figure", "figure95", "aim", "aim95", "met", "judged", "offences", "frozen", "worst"}) {
-      CHECK(row.contains(key));
-    }
-    CHECK(row["met"].is_boolean());
-    CHECK(row["figure"].is_null() == (row["judged"] == 0));
-    CHECK(row["worst"].size() <= 2);
-    CHECK(row["worst"].empty() == (row["offences"] == 0));
-  }
-}
-
-TEST_CASE("dimline audit takes extremes, flights and values") {
-  const Run run = runProgram({"audit", "lever", "--step", "90", "--every", "4", "--size", "200x200", "--set",
-                              "LeverAngle=40", "--extremes", "--flights", "1", "--json"});
-  REQUIRE(run.status == 0);
-  const auto parts = parsed(run.out)[0]["parts"];
-  REQUIRE(parts.size() == 3);
-  CHECK(parts[1]["part"] == "extremes");
-  CHECK(parts[1]["flights"] == 3 * 2 * 7);  // orbits, ends of a range, parameters
-  CHECK(parts[2]["flights"] == 1);
-}
-
-TEST_CASE("dimline audit draws the gravest cases") {
-  const TemporaryFolder folder;
-  // A step of 40 degrees changes more lines than the aim allows.
-  const Run run = runProgram(
-      {"audit", "house", "--step", "40", "--every", "9", "--worst", "2", "--size", "500x500", "--svg", folder / "drawings", "--json"});
-  REQUIRE(run.status == 0);
-  std::size_t listed = 0;
-  const auto audits = parsed(run.out);
-  for (const auto& row : audits[0]["parts"][0]["rows"]) listed += row["met"] == true ? 0 : row["worst"].size();
-  const std::vector<std::string> drawings = folder.list("drawings");
-  CHECK(drawings.size() == listed);
-  REQUIRE_FALSE(drawings.empty());
-  CHECK(std::ranges::find(drawings, "orbits-identity-changes-1.svg") != drawings.end());
-  CHECK(contentOf(folder / "drawings/" + drawings[0]).find("<svg") != std::string::npos);
-}
-
-TEST_CASE("dimline audit says what is wrong with its arguments") {
-  CHECK(runProgram({"audit"}).status == 2);
-  CHECK(runProgram({"audit", "house", "box"}).status == 2);
-  CHECK(runProgram({"audit", "house", "--every", "0"}).status == 2);
-  CHECK(runProgram({"audit", "house", "--step", "x"}).status == 2);
-  CHECK(runProgram({"audit", "house", "--size", "10"}).status == 2);
-  CHECK(runProgram({"audit", "house", "--svg", "drawings"}).status == 2);
-  CHECK(runProgram({"audit", "all", "--set", "Width=9"}).status == 2);
-  CHECK(runProgram({"audit", "nothing"}).status == 1);
-  CHECK(runProgram({"audit", "house", "--set", "Nothing=3"}).status == 1);
-  CHECK(runProgram({"audit", "house", "--set", "Width=1e9"}).status == 1);
 }
 
 }  // namespace

@@ -28,31 +28,34 @@ class Package(unittest.TestCase):
         file.parent.mkdir(parents=True, exist_ok=True)
         file.write_text(text)
 
+    def write(self):
+        return package.write_folder(self.folder, package.read_manifest(self.root), self.root)
+
     def written(self):
         return sorted(str(file.relative_to(self.folder)) for file in self.folder.rglob("*") if file.is_file())
 
     def test_what_is_listed_and_what_npm_always_packs(self):
-        paths = package.write_folder(self.folder, self.root)
+        paths = self.write()
         self.assertEqual(paths, ["LICENSE", "README.md", "assets/fonts/f.woff2", "b.js", "build/core.wasm", "package.json"])
         self.assertEqual(self.written(), paths)
         self.assertEqual((self.folder / "README.md").read_text(), "for hosts")
         self.assertEqual((self.folder / "build/core.wasm").read_text(), "core")
 
     def test_what_was_packed_before_and_is_no_more_goes(self):
-        package.write_folder(self.folder, self.root)
+        self.write()
         self.put("web/package.json", json.dumps({"files": ["b.js"]}))
-        package.write_folder(self.folder, self.root)
+        self.write()
         self.assertEqual(self.written(), ["LICENSE", "README.md", "b.js", "package.json"])
 
     def test_a_file_that_is_missing_is_named_and_the_last_package_stays(self):
-        package.write_folder(self.folder, self.root)
+        self.write()
         (self.root / "build/wasm/core.wasm").unlink()
         with self.assertRaisesRegex(package.PackageError, "build/core.wasm"):
-            package.write_folder(self.folder, self.root)
+            self.write()
         self.assertIn("build/core.wasm", self.written())
 
     def test_the_archive_is_as_npm_packs_and_the_same_every_time(self):
-        paths = package.write_folder(self.folder, self.root)
+        paths = self.write()
         archives = [self.root / name for name in ("a.tgz", "b.tgz")]
         for archive in archives:
             package.write_archive(archive, self.folder, paths)
