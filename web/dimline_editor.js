@@ -35,14 +35,16 @@ function makeContextBefore(coming, canvas) {
  * Fills the box that the page gives it. Everything it holds (a WebAssembly instance, a WebGL context, listeners) goes when it
  * leaves the document.
  *
- * Attributes, each with a property of the same meaning:
+ * Attributes, the first four with a property of the same meaning:
  * - `model`: the name of a built-in model, or the URL of a .gltf or .glb
  * - `initial-values` (`initialValues`): what a model begins with where that is not its defaults, as in '{"Width": 9}'; read when a model is loaded, so for
  *   another model it is given anew, before or after `model` but in the same task
+ * - `core-url` (`coreUrl`): where dimline.js lies, when not in build/ beside this file; read when the element enters a document
  * - `lang`: the language in whose manner numbers are written, as in "9,40 m"; the visitor's own by default
  * - `wheel`: "ctrl" makes the wheel zoom only while Ctrl or the command key is held (a pinch on a track pad counts as that) and scroll the page otherwise;
  *   without it, it always zooms
- * - `core-url` (`coreUrl`): where dimline.js lies, when not in build/ beside this file; read when the element enters a document
+ * - `touch-action`: "pan-y" lets a finger that moves up or down scroll the page, when it comes down on no arrow; sideways it turns the model, and two
+ *   fingers are the picture's. Without it, all fingers are
  *
  * Events; all but `error` bubble and leave the shadow tree:
  * - `load`: another document is shown; `error`: it could not be, and the old one stays, or not with its initial values (an ErrorEvent, which

@@ -27,6 +27,7 @@ export const kEditorCss = `
   -webkit-user-select: none;
   user-select: none;
 }
+:host([touch-action="pan-y"]) .stage { touch-action: pan-y; }
 .stage[data-cursor="handle"] { cursor: grab; }
 .stage[data-cursor="camera-held"] { cursor: grabbing; }
 .stage[data-cursor="text"] { cursor: text; }

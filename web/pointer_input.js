@@ -66,6 +66,7 @@ export class PointerInput {
     listen("click", (event) => this.#taken.has(event.pointerId) && event.stopPropagation(), { capture: true });
     listen("click", (event) => this.#click(event));
     listen("wheel", (event) => this.#wheel(event), { passive: false });
+    listen("touchmove", (event) => this.#touchMove(event), { passive: false });
     listen("contextmenu", (event) => event.preventDefault()); // the secondary button pans
     listen("mousedown", (event) => this.#mouseDown(event));
     listen("dragstart", (event) => event.preventDefault());
@@ -282,6 +283,13 @@ export class PointerInput {
       this.#host.core()?.wheel(x, y, event.deltaY * unit, modifierBits(event));
     });
     this.#host.changed();
+  }
+
+  // Where fingers may scroll the page (touch-action), one that holds an arrow does not, nor do two. It is told here and not as they come down: that would
+  // take the click from a tap.
+  #touchMove(event) {
+    const holdsHandle = [...this.#held.values()].some(({ target }) => target === "handle");
+    if (event.cancelable && (holdsHandle || event.touches.length > 1)) event.preventDefault();
   }
 
   #showCursor(name) {

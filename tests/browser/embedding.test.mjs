@@ -3,6 +3,7 @@ import assert from "node:assert/strict";
 import { Buffer } from "node:buffer";
 import { after, before, test } from "node:test";
 import { tetrahedronGlb, tetrahedronGltf } from "../support/tetrahedron.mjs";
+import { fingersOf, gripOf } from "./support/handles.mjs";
 import { call, cameraOf, launch, layoutOf, openPage, pageUrl, pictureBox, settle, valueOf } from "./support/page.mjs";
 
 let browser;
@@ -247,6 +248,54 @@ test("a page may keep the wheel for itself, but for the one with Ctrl", () =>
     await page.keyboard.up("Control");
     await settle(page);
     assert.notDeepEqual(await cameraOf(page), camera);
+  }));
+
+test("a page may let fingers scroll it, but for one that holds an arrow, and for two", () =>
+  withPage({ touch: true, width: 400, height: 700 }, async (page) => {
+    await page.evaluate(async () => {
+      const editor = document.createElement("dimline-editor");
+      editor.setAttribute("model", "house");
+      editor.setAttribute("touch-action", "pan-y");
+      editor.style.height = "600px";
+      const below = document.createElement("div");
+      below.style.height = "3000px";
+      for (const { style } of [document.documentElement, document.body]) style.cssText = "display: block; height: auto; overflow: visible";
+      document.body.replaceChildren(editor, below);
+      await editor.ready;
+    });
+    const fingers = await fingersOf(page);
+    const move = async (from, to) => {
+      await settle(page);
+      for (let count = 1; count <= from.length; ++count) await fingers.down(...from.slice(0, count));
+      for (let i = 1; i <= 10; ++i) await fingers.move(...from.map(([x, y], k) => [x + ((to[k][0] - x) * i) / 10, y + ((to[k][1] - y) * i) / 10]));
+      await fingers.up();
+      await settle(page);
+    };
+    const scrolled = () => page.evaluate(() => window.scrollY);
+    const corner = [30, 90]; // of the picture: nothing is there
+    const camera = await cameraOf(page);
+    const { line, outward, at } = await gripOf(page, "Floors");
+    assert.ok(Math.abs(outward[1]) > 0.9, "the arrow points up or down");
+
+    await move([at], [[at[0], at[1] - 40]]);
+    assert.equal(await scrolled(), 0, "an arrow that is dragged upwards");
+    assert.notEqual(await valueOf(page, "Floors"), line.value);
+    assert.deepEqual(await cameraOf(page), camera);
+
+    const low = [corner, [corner[0] + 100, corner[1]]].map(([x, y]) => [x, y + 400]);
+    await move(low, low.map(([x, y]) => [x, y - 200]));
+    assert.equal(await scrolled(), 0, "two fingers");
+    assert.notDeepEqual(await cameraOf(page), camera);
+
+    const panned = await cameraOf(page);
+    await move([corner], [[corner[0] + 150, corner[1] + 10]]);
+    assert.equal(await scrolled(), 0, "a finger that moves sideways");
+    assert.notDeepEqual(await cameraOf(page), panned);
+
+    const turned = await cameraOf(page);
+    await move([[corner[0], corner[1] + 250]], [corner]);
+    assert.ok((await scrolled()) > 100, "a finger that moves upwards");
+    assert.deepEqual(await cameraOf(page), turned);
   }));
 
 test("a glTF file is shown without a picture that is missing, and not without a buffer", () =>
