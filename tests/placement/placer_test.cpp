@@ -167,6 +167,35 @@ TEST_CASE("a line is its base line moved in parallel, and its extension lines ti
   }
 }
 
+TEST_CASE("an extension line that would lie on a dimension line runs a little beside it") {
+  // The post's line is 30 px beside the wall, and there, 0.6 m beside it, the beam ends that is measured above the wall.
+  const auto lookAt = [](double beamEndM) {
+    ModelDefinition definition = boxWithDoor();
+    definition.parameters.resize(2);
+    definition.parameters[0].annotation = "@Handle(scope=Post, type=linear-center, orient=up, slip=scope, align=right)";
+    definition.parameters[1].annotation = "@Handle(scope=Beam, type=linear-center, orient=right, slip=scope, align=top)";
+    definition.build = [beamEndM](const Values&) {
+      Scene scene = sceneOf({{"Wall", boxAt({-5, 0, -1}, {10, 16, 1})}, {"Post", boxAt({4.8, 14.5, 0}, {0.1, 1.4, 0.02})}});
+      scene.scopes.push_back({"Beam", 0, boxAt({beamEndM - 4, 14.2, 0}, {4, 0.02, 0.02})});
+      return scene;
+    };
+    Stage stage(std::move(definition));
+    stage.look(straightAt(8));
+    REQUIRE(stage.layout.lines.size() == 2);
+    REQUIRE(stage.layout.lines[0].lineScreen.start.x == Approx(780).margin(0.5));
+    return stage.layout.lines[1];
+  };
+  const PlacedLine onIt = lookAt(5.6);
+  CHECK(onIt.extensionStart.front() == onIt.baseScreen.start);
+  for (const auto& [extension, line] : {std::pair(onIt.extensionEnd.front(), onIt.baseScreen.end), std::pair(onIt.extensionEnd.back(), onIt.lineScreen.end)}) {
+    CHECK(extension.x == Approx(line.x - kExtensionAsidePx));
+    CHECK(extension.y == Approx(line.y));
+  }
+  const PlacedLine besideIt = lookAt(5.66);
+  CHECK(besideIt.extensionEnd.front() == besideIt.baseScreen.end);
+  CHECK(besideIt.extensionEnd.back() == besideIt.lineScreen.end);
+}
+
 TEST_CASE("parameters are placed shortest first") {
   Stage stage(boxWithDoor());
   const Layout& layout = stage.look(orbitCamera({0, 2.5, 0}, 30, 35, 20));
