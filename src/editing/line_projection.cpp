@@ -1,6 +1,7 @@
 #include "editing/line_projection.h"
 
-#include <span>
+#include <limits>
+#include <utility>
 
 namespace dimline {
 
@@ -18,17 +19,12 @@ Vec2 anchorPoint(LabelAnchor::To to, const Segment2& line) {
   return line.middle();
 }
 
-/// New ends for a polyline; the points between shift with the end they are nearer to, counted in points.
-void moveEnds(std::span<Vec2> polyline, const Vec2& first, const Vec2& last) {
-  if (polyline.size() < 2) return;
-  const Vec2 shiftFirst = first - polyline.front();
-  const Vec2 shiftLast = last - polyline.back();
-  for (std::size_t i = 1; i + 1 < polyline.size(); ++i) {
-    const double share = static_cast<double>(i) / static_cast<double>(polyline.size() - 1);
-    polyline[i] += shiftFirst * (1.0 - share) + shiftLast * share;
-  }
-  polyline.front() = first;
-  polyline.back() = last;
+/// Shifts an extension line's ends as those of base line and line were shifted, so that one that was moved aside stays beside them; a bend goes half with each.
+void shiftEnds(ExtensionLine& extension, const Vec2& first, const Vec2& last) {
+  if (extension.empty()) return;
+  if (extension.size() > 2) extension[1] += 0.5 * (first + last);
+  extension.front() += first;
+  extension.back() += last;
 }
 
 }  // namespace
@@ -60,10 +56,10 @@ bool canProject(const PlacedLine& line, const View& view) {
 }
 
 void projectLine(PlacedLine& line, const View& view, const std::optional<LabelAnchor>& anchor) {
-  line.baseScreen = view.toScreen(line.base);
-  line.lineScreen = view.toScreen(line.line);
-  moveEnds(line.extensionStart, line.baseScreen.start, line.lineScreen.start);
-  moveEnds(line.extensionEnd, line.baseScreen.end, line.lineScreen.end);
+  const Segment2 base = std::exchange(line.baseScreen, view.toScreen(line.base));
+  const Segment2 before = std::exchange(line.lineScreen, view.toScreen(line.line));
+  shiftEnds(line.extensionStart, line.baseScreen.start - base.start, line.lineScreen.start - before.start);
+  shiftEnds(line.extensionEnd, line.baseScreen.end - base.end, line.lineScreen.end - before.end);
   for (Handle& handle : line.handles) handle.screen = handle.atEnd ? line.lineScreen.end : line.lineScreen.start;
   line.label.reset();
   if (anchor) {

@@ -24,8 +24,9 @@ Vec2 labelCenter(const LabelAnchor& anchor, const Segment2& lineScreen);
 bool canProject(const PlacedLine& line, const View& view);
 
 /// Makes the screen parts of a line (baseScreen, lineScreen, extensions, handles, label) anew from its world parts,
-/// which may have changed, as `view` shows them. The label keeps to `anchor`, and goes when there is none. Bends of
-/// extension lines follow their ends. Requires canProject().
+/// which may have changed, as `view` shows them. The label keeps to `anchor`, and goes when there is none. Extension
+/// lines follow: their ends as far as those of base line and line go on screen, bends by the mean of that. Requires
+/// canProject().
 void projectLine(PlacedLine& line, const View& view, const std::optional<LabelAnchor>& anchor);
 
 }  // namespace dimline

@@ -75,6 +75,27 @@ TEST_CASE("a bend of an extension line goes with its ends") {
   REQUIRE_FALSE(line.label);
 }
 
+TEST_CASE("a bend of an extension line goes half with each end") {
+  PlacedLine line = lineBelow();
+  line.extensionStart = {{300, 500}, {320, 550}, {300, 600}};
+  line.line.start += Vec3(1, -2, 0);
+  projectLine(line, frontView(), std::nullopt);
+  REQUIRE(glm::length(line.extensionStart[1] - Vec2(370, 650)) < 1e-9);
+  REQUIRE(glm::length(line.extensionStart.front() - Vec2(300, 500)) < 1e-9);
+  REQUIRE(glm::length(line.extensionStart.back() - Vec2(400, 800)) < 1e-9);
+}
+
+TEST_CASE("an extension line that runs beside its line's end stays there while the line moves") {
+  PlacedLine line = lineBelow();
+  line.extensionEnd = {{696, 500}, {696, 600}};
+  for (const double x : {3.0, 2.5}) {
+    line.base.end.x = line.line.end.x = x;
+    projectLine(line, frontView(), labelAnchor(line));
+    REQUIRE(line.extensionEnd.front().x == Approx(line.baseScreen.end.x - 4));
+    REQUIRE(line.extensionEnd.back().x == Approx(line.lineScreen.end.x - 4));
+  }
+}
+
 TEST_CASE("what lies behind the viewer cannot be projected") {
   Camera camera;
   camera.eye = {0, 0, 1};

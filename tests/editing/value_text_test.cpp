@@ -61,7 +61,7 @@ TEST_CASE("lengths are read in the units that people use") {
       {"3.2 m", 3.2}, {"3.2m", 3.2}, {"320 cm", 3.2}, {"3200 MM", 3.2}, {"32 dm", 3.2}, {"0.0032 km", 3.2}, {"10 ft", 3.048}, {"10 feet", 3.048},
       {"1 foot", 0.3048}, {"10'", 3.048}, {"10'6\"", 3.2004}, {"10' 6\"", 3.2004}, {"10 ft 6 in", 3.2004}, {"10'6", 3.2004}, {"6\"", 0.1524},
       {"10\xE2\x80\xB2 6\xE2\x80\xB3", 3.2004}, {"10\xE2\x80\x99 6\xE2\x80\x9D", 3.2004}, {"10'6''", 3.2004}, {"1/2 in", 0.0127}, {"6 1/2 in", 0.1651},
-      {"10'-6\"", 3.2004}, {"10' - 6\"", 2.8956}, {"-10'-6\"", -3.2004},
+      {"10'-6\"", 3.2004}, {"10' - 6\"", 2.8956}, {"10' -6\"", 2.8956}, {"10'- 6\"", 2.8956}, {"-10'-6\"", -3.2004},
       {"10' 6 1/2\"", 3.2131}, {"10' 1/2\"", 3.0607}, {"6\xC2\xBD in", 0.1651}, {"\xC2\xBE\"", 0.01905}, {"1 yd", 0.9144}, {"-10'6\"", -3.2004},
       {"3 m 20", 3.2}, {"3 m 20 cm", 3.2}, {"3m20cm5mm", 3.205}, {"2 metres", 2}}));
   INFO(text);
@@ -123,6 +123,14 @@ TEST_CASE("a decimal comma is read as well as a point, whichever the visitor use
 TEST_CASE("a number that can be read in two ways is not guessed") {
   REQUIRE(refusal(length('.'), "1,234") == "\"1,234\" can be read in two ways. Write 1.234 or 1234.");
   REQUIRE(refusal(length(','), "12.345 m") == "\"12.345\" can be read in two ways. Write 12,345 or 12345.");
+}
+
+TEST_CASE("groups of digits have three each, the first one to three, and one sort of mark between them") {
+  const std::string text = GENERATE(as<std::string>{}, "1,2345.6", "1,23,456", "1234,567.8", "1,234,56", ",123,456", "1.234,567.8", "1,234 567.8", "1 23");
+  // Those with a space, as people paste them.
+  std::string typed = text;
+  if (const auto space = text.find(' '); space != std::string::npos) typed.replace(space, 1, "\xC2\xA0");
+  REQUIRE(refusal(length(), typed).find("the number \"" + text + "\", of which it is not clear where its decimals begin") != std::string::npos);
 }
 
 TEST_CASE("a refusal says what is wrong and what would do") {
