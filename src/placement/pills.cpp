@@ -300,8 +300,12 @@ Vec2 pillSizePx(const Parameter& parameter) {
 std::optional<HiddenReason> placePill(const OtherHandle& handle, const OtherHandleContext& context, PlacedHandle& placed) {
   const Vec2 size = pillSizePx(handle.definition);
   bool anchored = false;   // an anchor is in the viewport
+  // The last frame's comes first, so that the others need be looked at only where they may be better; and so with the directions.
+  const auto last = std::ranges::find(handle.scopes, handle.history.last().scopeIndex, [&](std::size_t scope) { return static_cast<std::int32_t>(context.scopes[scope].index); });
+  const auto first = static_cast<std::size_t>(last == handle.scopes.end() ? 0 : last - handle.scopes.begin());
   const auto forEachAnchor = [&](auto use) {
-    for (const std::size_t scope : handle.scopes) {
+    for (std::size_t i = 0; i < handle.scopes.size(); ++i) {
+      const std::size_t scope = handle.scopes[(first + i) % handle.scopes.size()];
       const Vec3 world = anchorOf(handle.annotation, context.scopes[scope].box);
       if (!context.view.inFrontOfNear(world)) continue;
       const Vec2 anchor = context.view.toScreen(world);
@@ -314,11 +318,10 @@ std::optional<HiddenReason> placePill(const OtherHandle& handle, const OtherHand
   std::optional<PillPlace> lastResort;   // outside too
   forEachAnchor([&](const PillAnchor& at) {
     if (handle.annotation.slip == Slip::kNone) return;
-    // From the last frame's direction on, so that the others need be looked at only where they may be better.
-    const int first = std::max<int>(handle.history.last().plane, 0) * kWaysOfSide;
+    const int firstWay = std::max<int>(handle.history.last().plane, 0) * kWaysOfSide + kPillWays - kWaysOfSide / 2;
     for (int i = 0; i < kPillWays; ++i) {
       const double enough = outside ? outside->score : -std::numeric_limits<double>::infinity();
-      WayOut wayOut(handle, context, at, (first + i) % kPillWays, enough);
+      WayOut wayOut(handle, context, at, (firstWay + i) % kPillWays, enough);
       wayOut.forEachPlace([&](const PillPlace& place) { offer(place, isLastResort(handle, context, place) ? lastResort : outside); });
     }
   });
