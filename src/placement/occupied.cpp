@@ -1,6 +1,7 @@
 #include "placement/occupied.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace dimline {
 
@@ -10,6 +11,12 @@ void Occupied::clear() {
   padded_ = paddedModel_;
   landed_.clear();
   guides_.clear();
+}
+
+void Occupied::swapLanded(Occupied& other) {
+  std::swap(padded_, other.padded_);
+  std::swap(landed_, other.landed_);
+  std::swap(guides_, other.guides_);
 }
 
 void Occupied::add(const PlacedLine& line, int guide) {

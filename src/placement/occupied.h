@@ -15,6 +15,8 @@ class Occupied {
   void begin(const DistanceFields& model);
   /// Nothing but the model is there: before each attempt at the frame.
   void clear();
+  /// Exchanges all but the model with another one of the same frame.
+  void swapLanded(Occupied& other);
 
   [[nodiscard]] const DistanceFields& paddedModel() const { return paddedModel_; }   ///< the model alone, with handleSpacing
   [[nodiscard]] const DistanceFields& padded() const { return padded_; }             ///< model and all that has landed

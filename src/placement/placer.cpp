@@ -191,6 +191,7 @@ void Placer::State::placeOnce(const FrameToPlace& frame, bool sceneChanged, bool
   if (mends) beforeAttempts = past;
   placeWithRoom(frame, layout);
   if (mends) mend(frame, layout);
+  placeBesideLines(frame, layout);
 }
 
 /// Other attempts at the frame that has been placed; the best one stays.
@@ -224,9 +225,10 @@ void Placer::State::swapWithBest(Layout& layout) {
   std::swap(bestPast, past);
   std::swap(bestOutcome, outcome);
   std::swap(bestLayout, layout);
+  occupied.swapLanded(bestOccupied);
 }
 
-/// Places everything, but as many of the shortest lines as have to go in a small viewport.
+/// Places all lines, but as many of the shortest as have to go in a small viewport.
 void Placer::State::placeWithRoom(const FrameToPlace& frame, Layout& layout) {
   const View& view = frame.view;
   const auto roomFor = static_cast<std::size_t>(std::ceil(view.widthPx() * view.heightPx() / kCrowdedPx2));
@@ -236,7 +238,7 @@ void Placer::State::placeWithRoom(const FrameToPlace& frame, Layout& layout) {
   if (crowded > 0 && frame.viewMoved && past.crowdedFrames >= kReturnFrames) --crowded;
   if (mostCrowded > 0) beforePlacing = past;
   bool tooFew = false;
-  while (placeAll(frame, crowded, layout) && crowded < mostCrowded) {
+  while (placeAllLines(frame, crowded, layout) && crowded < mostCrowded) {
     past = beforePlacing;
     ++crowded;
     tooFew = true;

@@ -70,8 +70,8 @@ void recycle(std::vector<Thing>& list, std::vector<Thing>& spare, std::size_t mo
 
 }  // namespace
 
-/// Places everything but the `crowded` shortest lines. Returns whether a line runs into another.
-bool Placer::State::placeAll(const FrameToPlace& frame, std::size_t crowded, Layout& layout) {
+/// Places all lines but the `crowded` shortest, and before them the handles of which all others keep clear. Returns whether a line runs into another.
+bool Placer::State::placeAllLines(const FrameToPlace& frame, std::size_t crowded, Layout& layout) {
   const auto& [view, fields, values, held, viewMoved] = frame;
   recycle(layout.lines, spareLines, mostLines);
   spareHandles.reserve(others.size());
@@ -110,8 +110,13 @@ bool Placer::State::placeAll(const FrameToPlace& frame, std::size_t crowded, Lay
     }
     if (isHeld) occupied.reserve(*inHand);
   }
+  return cramped;
+}
+
+/// Places what takes the room that the lines leave, once a frame: no attempt is judged by it.
+void Placer::State::placeBesideLines(const FrameToPlace& frame, Layout& layout) {
   // Lines are bound to their planes; a switch finds a place nearly anywhere, so it takes what they leave.
-  const bool noPills = view.widthPx() * view.heightPx() < kPillsCrowdedPx2 * static_cast<double>(editable);
+  const bool noPills = frame.view.widthPx() * frame.view.heightPx() < kPillsCrowdedPx2 * static_cast<double>(editable);
   for (const Measured& other : others) {
     if (hasOnePlace(other)) continue;
     if (noPills && other.annotation.type != HandleType::kAngular) {
@@ -122,15 +127,10 @@ bool Placer::State::placeAll(const FrameToPlace& frame, std::size_t crowded, Lay
     }
   }
   labelInside(frame, layout.lines);
-  return cramped;
 }
 
 /// Places what has no handle yet, whatever it is hidden for, beside all that has one.
 void Placer::State::placeAllHidden(const FrameToPlace& frame, Layout& layout) {
-  // What is there is the best of the attempts, which need not have been the last one.
-  occupied.clear();
-  for (const PlacedLine& line : layout.lines) occupied.add(line, guideThrough(line));
-  for (const PlacedHandle& other : layout.others) occupied.add(other, frame.view);
   const std::size_t shown = layout.lines.size();
   std::swap(wanting, layout.hidden);
   layout.hidden.clear();

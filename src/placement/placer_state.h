@@ -84,6 +84,7 @@ struct Placer::State {
   Past bestPast;
   Outcome bestOutcome;
   Layout bestLayout;
+  Occupied bestOccupied;              ///< without the model
   Past beforeAttempts;
 
   // Memory of one frame, kept so that the next allocates nothing.
@@ -117,7 +118,8 @@ struct Placer::State {
   void placeOnDemand(const FrameToPlace& frame, bool sceneChanged, Layout& layout);
 
   // placer_attempt.cpp
-  bool placeAll(const FrameToPlace& frame, std::size_t crowded, Layout& layout);
+  bool placeAllLines(const FrameToPlace& frame, std::size_t crowded, Layout& layout);
+  void placeBesideLines(const FrameToPlace& frame, Layout& layout);
   void placeAllHidden(const FrameToPlace& frame, Layout& layout);
   void labelInside(const FrameToPlace& frame, std::span<PlacedLine> lines);
   [[nodiscard]] ChoiceContext contextOf(const FrameToPlace& frame, const ObjectPlanesInFrame& object, const Measured& measured, const Identity* avoid);
