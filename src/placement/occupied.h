@@ -1,5 +1,7 @@
 #pragma once
 
+#include <memory>
+
 #include "placement/guides.h"
 #include "placement/landed.h"
 #include "placement/layout.h"
@@ -16,29 +18,32 @@ class Occupied {
   /// Nothing but the model is there: before each attempt at the frame.
   void clear();
   /// Exchanges all but the model with another one of the same frame.
-  void swapLanded(Occupied& other);
+  void swapLanded(Occupied& other) { contents_.swap(other.contents_); }
 
   [[nodiscard]] const DistanceFields& paddedModel() const { return paddedModel_; }   ///< the model alone, with handleSpacing
-  [[nodiscard]] const DistanceFields& padded() const { return padded_; }             ///< model and all that has landed
-  [[nodiscard]] const Landed& landed() const { return landed_; }
-  [[nodiscard]] const Guides& guides() const { return guides_; }
+  [[nodiscard]] const DistanceFields& padded() const { return contents_->padded; }    ///< model and all that has landed
+  [[nodiscard]] const Landed& landed() const { return contents_->landed; }
+  [[nodiscard]] const Guides& guides() const { return contents_->guides; }
 
   /// A new guide through a line on a plane; returns its number.
-  int addGuide(const Plane& plane, const Segment& line) { return guides_.add(plane, line); }
+  int addGuide(const Plane& plane, const Segment& line) { return contents_->guides.add(plane, line); }
   /// A label that stands there, of a line that takes up nothing else.
-  void add(const Box2& label) { landed_.addLabel(label); }
+  void add(const Box2& label) { contents_->landed.addLabel(label); }
   /// A line that will stand there, whatever comes before it; to be released at its turn.
-  void reserve(const PlacedLine& line) { landed_.reserve(line); }
-  void release(const PlacedLine& line) { landed_.release(line); }
+  void reserve(const PlacedLine& line) { contents_->landed.reserve(line); }
+  void release(const PlacedLine& line) { contents_->landed.release(line); }
   /// `guide`: the number of the guide that the line lies on; -1 for a line inside the model, which takes up nothing outside.
   void add(const PlacedLine& line, int guide);
   void add(const PlacedHandle& handle, const View& view);
 
  private:
+  struct Contents {
+    DistanceFields padded;
+    Landed landed;
+    Guides guides;
+  };
   DistanceFields paddedModel_;
-  DistanceFields padded_;
-  Landed landed_;
-  Guides guides_;
+  std::unique_ptr<Contents> contents_ = std::make_unique<Contents>();
 };
 
 }  // namespace dimline
