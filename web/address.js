@@ -4,6 +4,8 @@
  * all lead to what was there to be seen.
  */
 
+import { beyondSentence } from "./spoken.js";
+
 const kModelKey = "model";
 const kMostProblems = 5; // then an address is not one of ours, and nobody reads on
 const kDigits = 10; // of a number: more than anybody sets, and fewer than arithmetic leaves
@@ -48,7 +50,11 @@ export function valuesOf(url, parameters) {
     const value = parameter && valueOf(parameter, text);
     if (!parameter) problems.push(`The address asks for “${name}”, which this model does not have.`);
     else if (value === undefined) problems.push(`The address asks for ${parameter.title} to be “${text}”, but it is ${kindOf(parameter)}.`);
-    else values[name] = value;
+    else {
+      values[name] = value;
+      const beyond = beyondSentence(parameter, value, ".");
+      if (beyond) problems.push(beyond);
+    }
   }
   return { values, problems };
 }

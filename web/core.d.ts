@@ -52,7 +52,7 @@ export class Core {
 
   models(): { name: string; title: string }[];
   setModel(name: string): void;
-  readGltf(name: string, document: GltfDocument | Promise<GltfDocument>): Promise<SceneBytes>;
+  readGltf(name: string, document: GltfDocument | Promise<GltfDocument>, noted?: (sentence: string) => void): Promise<SceneBytes>;
   setScene(scene: SceneBytes): void;
   parameters(): Parameter[];
   setParameters(values: Values): void;
@@ -60,7 +60,7 @@ export class Core {
   setParameterContinuous(name: string, value: Value): void;
   endContinuous(): void;
   resetParameter(name: string): void;
-  parseValue(name: string, text: string): number;
+  parseValue(name: string, text: string): Value;
   inputText(name: string): string;
   setNumberFormat(format: { decimal: "." | "," }): void;
   measures(): Measure[];

@@ -23,7 +23,7 @@ const kGltf = { script: new URL("./build/dimline_gltf.js", import.meta.url), was
  * when one fails or goes, no other is touched, and its memory goes with it.
  *
  * @param {object} [options]
- * @param {string | URL} [options.url] where dimline.js lies, with the three other files of the build beside it; in build/ beside this file by default
+ * @param {string | URL} [options.url] where dimline.js lies, seen from this file, with the three other files of the build beside it; in build/ by default
  * @param {number} [options.attempt] how often it was tried before
  */
 export async function createCore({ url, attempt = 0 } = {}) {
@@ -104,9 +104,11 @@ export class Core {
    * @param {string} name for messages
    * @param {{bytes: Uint8Array, files?: Record<string, Uint8Array>} | Promise} document the .gltf or .glb, and what a .gltf names by relative URI, or a
    *   promise of both, as gltf_files.js gives it
+   * @param {(sentence: string) => void} [noted] is told of each thing in the file that the scene leaves out, such as a picture that cannot be read; the
+   *   console is, without it
    * @returns {Promise<Uint8Array>} the scene; rejects with an Error that says what is wrong with the file
    */
-  async readGltf(name, document) {
+  async readGltf(name, document, noted = (sentence) => console.warn(`${name}: ${sentence}`)) {
     const [reader, { bytes, files }] = await Promise.all([this.#startGltfReader(), document]);
     let result;
     try {
@@ -115,6 +117,7 @@ export class Core {
       throw new Error(`${name} could not be read, perhaps for want of memory: ${cause.message}.`, { cause });
     }
     check(result.error);
+    result.notes.forEach((sentence) => noted(sentence));
     return result.scene;
   }
 
@@ -371,7 +374,7 @@ export class Core {
     return JSON.parse(this.#editor.pillsJson());
   }
 
-  /** What happened since the last call, in order: "input", "change", "camera-change", "load". */
+  /** What happened since the last call, in order: "input", "change", "camera-change", "load". An "input" or a "camera-change" that is followed by another stands for both. */
   takeEvents() {
     return JSON.parse(this.#editor.eventsJson());
   }

@@ -159,7 +159,8 @@ export class DimlineEditor extends HTMLElement {
   getMeasures(): Measure[];
   measuresShown: boolean;
   readonly decimalMark: "." | ",";
-  parseValue(name: string, text: string): number;
+  parseValue(name: string, text: string): Value;
+  pointAt(name: string | null): void;
   readonly gestures: Gesture[];
   resetParameter(name: string): void;
 

@@ -39,7 +39,7 @@ function makeContextBefore(coming, canvas) {
  * - `model`: the name of a built-in model, or the URL of a .gltf or .glb
  * - `initial-values` (`initialValues`): what a model begins with where that is not its defaults, as in '{"Width": 9}'; read when a model is loaded, so for
  *   another model it is given anew, before or after `model` but in the same task
- * - `core-url` (`coreUrl`): where dimline.js lies, when not in build/ beside this file; read when the element enters a document
+ * - `core-url` (`coreUrl`): where dimline.js lies, seen from the page, when not in build/ beside this file; read when the element enters a document
  * - `lang`: the language in whose manner numbers are written, as in "9,40 m"; the visitor's own by default
  * - `wheel`: "ctrl" makes the wheel zoom only while Ctrl or the command key is held (a pinch on a track pad counts as that) and scroll the page otherwise;
  *   without it, it always zooms
@@ -62,6 +62,7 @@ export class DimlineEditor extends Base {
   #listening = null; // AbortController: everything that must end with the element
   #loading = null; // {controller, done}: how to abort the model under way, which was asked for last, and the promise of its end
   #shown = null; // the name of the model that is shown
+  #refusal = null; // why the model that was asked for last could not be had
   #initialValues = null; // as the property was given
   #resuming = null; // {model, values, camera}: what another attempt goes on with
   #input = null;
@@ -89,7 +90,10 @@ export class DimlineEditor extends Base {
 
   // --- The contract ---
 
-  /** Resolves when the core is loaded and the first frame is drawn; rejects with an Error that says why that cannot be. */
+  /**
+   * Resolves when the core is loaded and the first frame is drawn; rejects with an Error that says why that cannot be, as when the model that was asked for
+   * cannot be had. The element can still be given another one then: `load` tells when it is shown.
+   */
   get ready() {
     return this.#ready.promise;
   }
@@ -246,6 +250,11 @@ export class DimlineEditor extends Base {
     this.#showHidden();
   }
 
+  /** Marks the line of a parameter and what it drives, as a mouse on it would, for a control outside the picture that sets it; null for none. */
+  pointAt(name) {
+    this.#overlay?.pointAt(name);
+  }
+
   /** What follows from the parameters and is measured, not set: [{name, title, help, unit, value, text}]. */
   getMeasures() {
     return this.#core?.measures() ?? [];
@@ -265,7 +274,7 @@ export class DimlineEditor extends Base {
     return this.#mark;
   }
 
-  /** The number that a visitor means by a text such as 10'6" or 3*1.2m, in the parameter's unit; throws an Error for the visitor. */
+  /** What a visitor means by a text such as 10'6" or 3*1.2m, a number in the parameter's unit, or by the name of a choice; throws an Error for the visitor. */
   parseValue(name, text) {
     return this.#need().parseValue(name, text);
   }
@@ -375,7 +384,9 @@ export class DimlineEditor extends Base {
       while (this.#loading) await this.#loading.done;
       this.#drawNow();
       if (this.#core?.problem) throw new Error(this.#core.problem);
-      if (!listening.signal.aborted) this.#ready.resolve();
+      if (listening.signal.aborted) return;
+      if (this.#shown === null && this.#refusal) this.#ready.reject(this.#refusal);
+      else this.#ready.resolve();
     } catch (error) {
       if (!listening.signal.aborted) this.#fail(error);
     }
@@ -448,7 +459,7 @@ export class DimlineEditor extends Base {
     this.#peeking = false;
     this.#size = null;
     this.#shown = null;
-    this.#error = null;
+    this.#error = this.#refusal = null;
     const gone = new Error("The editor left the document.");
     this.#ready.reject(gone);
     this.#ready = makeDeferred();
@@ -496,6 +507,7 @@ export class DimlineEditor extends Base {
         this.#core.setModel(name);
       }
       this.#shown = name;
+      this.#refusal = null;
       this.#input.reset();
       this.#overlay.clear();
       if (!this.#contextIsLost()) this.#parts.message.hide();
@@ -505,6 +517,7 @@ export class DimlineEditor extends Base {
       if (signal.aborted) return;
       const error = cause instanceof Error ? cause : new Error(`The model could not be loaded: ${cause}.`, { cause });
       if (error instanceof WebAssembly.RuntimeError) return this.#fail(error);
+      this.#refusal = error;
       if (this.#shown === null) this.#parts?.message.show("The model cannot be shown.", error.message);
       this.#tellError(error);
     }
@@ -559,7 +572,8 @@ export class DimlineEditor extends Base {
       const events = this.#core.takeEvents();
       if (events.some((type) => type !== "camera-change")) this.#describe();
       this.#overlay.update(this.#core, this.#input, rests);
-      const isSettled = rests && !this.#loading;
+      // What the overlay has asked for, such as the mark of a line, comes with another frame.
+      const isSettled = rests && !this.#loading && this.#frameRequest === 0;
       if (isSettled) this.#settling.resolve();
       if (more || (!rests && this.#settling.any)) this.#requestFrame();
       for (const type of events) this.dispatchEvent(new Event(type, { bubbles: true, composed: true }));

@@ -34,8 +34,14 @@ function plainKeyOf(event, editor, peek) {
 }
 
 function chordOf(event, editor) {
+  const step = travelOf(event);
+  return step && (() => editor[step]());
+}
+
+/** The step through the history, "undo" or "redo", that a pressed key stands for; null for none. */
+export function travelOf(event) {
+  if (event.altKey || !(event.ctrlKey || event.metaKey)) return null;
   const key = event.key.toLowerCase();
-  if (key === "z") return event.shiftKey ? () => editor.redo() : () => editor.undo();
-  if (key === "y") return () => editor.redo();
-  return null;
+  if (key === "z") return event.shiftKey ? "redo" : "undo";
+  return key === "y" ? "redo" : null;
 }

@@ -85,7 +85,7 @@ export class LabelLayer {
   labelAt(x, y, touch) {
     let best = null;
     let least = Infinity;
-    for (const { box, parameter, editable } of this.#entries.values()) {
+    for (const [id, { box, parameter, editable }] of this.#entries) {
       if (!box || !editable) continue;
       const [x0, y0, x1, y1] = box;
       const reachX = touch ? Math.max(4, (kTouchTargetPx - (x1 - x0)) / 2) : 2;
@@ -94,9 +94,17 @@ export class LabelLayer {
       const outY = Math.max(y0 - y, y - y1, 0);
       if (outX > reachX || outY > reachY) continue;
       const away = Math.hypot(outX, outY) + Math.hypot(x - (x0 + x1) / 2, y - (y0 + y1) / 2) * 1e-3;
-      if (away < least) [best, least] = [{ name: this.#parameters[parameter]?.name, box, inside: outX + outY === 0 }, away];
+      if (away < least) [best, least] = [{ id, name: this.#parameters[parameter]?.name, box, inside: outX + outY === 0 }, away];
     }
     return best;
+  }
+
+  /** Makes a label the slider of its parameter, of which it was one of the pictures. */
+  choose({ id }) {
+    const chosen = this.#entries.get(id);
+    for (const entry of this.#entries.values()) {
+      if (entry.editable && entry.parameter === chosen.parameter) this.#makeSlider(entry, entry === chosen);
+    }
   }
 
   /** The box of a parameter's slider in the picture, [x0, y0, x1, y1]; of no size for a line without a text. Null when none is shown. */
@@ -162,11 +170,14 @@ export class LabelLayer {
       if (!best || rank > best.rank) chosen.set(entry.parameter, { entry, rank });
     }
     for (const entry of this.#entries.values()) {
-      const slider = chosen.get(entry.parameter)?.entry === entry;
-      if (entry.slider === slider) continue;
-      entry.slider = slider;
-      this.#describe(entry);
+      this.#makeSlider(entry, chosen.get(entry.parameter)?.entry === entry);
     }
+  }
+
+  #makeSlider(entry, slider) {
+    if (entry.slider === slider) return;
+    entry.slider = slider;
+    this.#describe(entry);
   }
 
   // A line that changes its place is another one; the keyboard's focus goes along.

@@ -33,6 +33,7 @@ export class Overlay {
   #empty = false; // nothing is shown that could be taken hold of
   #hover = { name: null, cursor: "" }; // the cursor over the handle that the mouse rests on
   #saidOf = null; // the name of the parameter that the last sentence was about
+  #pointedAt = null; // the name of the parameter that a control elsewhere is about
   #byKeys = false; // the keyboard was used last, and what has its focus is marked as if the mouse were there
   #marked = ""; // where that is
 
@@ -75,7 +76,7 @@ export class Overlay {
     this.#labels.clear();
     this.#readout.silence();
     this.announce("");
-    this.#saidOf = null;
+    this.#saidOf = this.#pointedAt = null;
     this.#marked = "";
     this.#hover = { name: null, cursor: "" };
   }
@@ -138,6 +139,12 @@ export class Overlay {
     return true;
   }
 
+  /** Marks a parameter's line as if it had the focus; null for none. */
+  pointAt(name) {
+    this.#pointedAt = name;
+    this.#host.changed();
+  }
+
   /** Closes a field that waits, out of focus, for what is in it to be mended; false when there is none. */
   giveUpTyping() {
     if (this.#field.name === null) return false;
@@ -152,8 +159,8 @@ export class Overlay {
 
   // Shows where the focus is by more than a ring: the core marks the line and what it drives, as under a mouse.
   #markFocused(core) {
-    if (!this.#byKeys) return null;
-    const focused = this.#field.name === null ? this.#labels.focused : this.#labels.placeOf(this.#field.name);
+    const focused = (this.#pointedAt && this.#labels.placeOf(this.#pointedAt)) ?? this.#focused();
+    if (!focused && !this.#byKeys && !this.#marked) return null;
     let at = null;
     if (focused?.handle) {
       // A little from the arrow's tip, where two lines of a chain meet, towards the number.
@@ -170,6 +177,11 @@ export class Overlay {
       this.#host.changed();
     }
     return focused;
+  }
+
+  #focused() {
+    if (!this.#byKeys) return null;
+    return this.#field.name === null ? this.#labels.focused : this.#labels.placeOf(this.#field.name);
   }
 
   #hoveredName(labels) {
@@ -212,6 +224,7 @@ export class Overlay {
     const label = this.#labels.labelAt(x, y, touch);
     // Beside a number its line's arrow may be nearer.
     if (!label || (!label.inside && target === "handle")) return;
+    this.#labels.choose(label);
     this.#field.open(label.name, { pointer: { x: clientX, y: clientY } });
     this.#usedKeys();
   }

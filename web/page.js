@@ -63,6 +63,8 @@ const panel = new Panel(byId("parameters"), {
   read: (name, text) => editor.parseValue(name, text),
   mark: () => editor.decimalMark,
   refresh: (name) => attempt(() => panel.refresh(parameterOf(name))),
+  point: (name) => editor.pointAt(name),
+  travel: (step) => editor[step](),
   help: showHint,
 });
 

@@ -1,5 +1,7 @@
 import { make } from "./dom.js";
+import { travelOf } from "./editor_keys.js";
 import { choiceTitle, decimalsOf, keySteps, kUnits, numberText } from "./numbers.js";
+import { beyondSentence } from "./spoken.js";
 
 const kIcons = "assets/icons/icons.svg";
 const kMostSegments = 4; // more choices than these go into a menu
@@ -15,6 +17,8 @@ function makeIcon(name) {
   return svg;
 }
 
+const nameOfRow = (target) => target?.closest?.(".row")?.dataset.name ?? null;
+
 /**
  * Form controls for every parameter, grouped. Shows what the editor says and tells the editor what the visitor sets; it holds
  * no values of its own.
@@ -22,6 +26,8 @@ function makeIcon(name) {
 export class Panel {
   #rows = new Map(); // name -> row
   #measures = null; // the list under the rows
+  #hovered = null; // the name of the row under the mouse
+  #focused = null; // and of the one in use
   #host;
 
   /**
@@ -30,14 +36,31 @@ export class Panel {
    *   set(values), slide(name, value), step(name, steps), endSlide(): what the visitor sets; never throw
    *   read(name, text): the number that a typed text means; throws an Error for the visitor
    *   refresh(name): asks for a call of refresh() with that parameter
+   *   point(name): the row in use or under the mouse, or null
+   *   travel("undo" | "redo"): a step through the history
    *   mark(): the decimal mark
    *   help(sentence): what to say of the row in use, or ""
    */
   constructor(container, host) {
     this.container = container;
     this.#host = host;
-    container.addEventListener("focusin", (event) => this.#helpWith(event.target));
-    container.addEventListener("focusout", (event) => this.#helpWith(event.relatedTarget));
+    container.addEventListener("focusin", (event) => this.#focusOn(event.target));
+    container.addEventListener("focusout", (event) => this.#focusOn(event.relatedTarget));
+    container.addEventListener("pointerover", (event) => event.pointerType === "mouse" && this.#hoverOn(event.target));
+    container.addEventListener("pointerleave", () => this.#hoverOn(null));
+  }
+
+  #focusOn(target) {
+    this.#helpWith(target);
+    this.#focused = nameOfRow(target);
+    this.#host.point(this.#hovered ?? this.#focused);
+  }
+
+  #hoverOn(target) {
+    const name = nameOfRow(target);
+    if (name === this.#hovered) return;
+    this.#hovered = name;
+    this.#host.point(this.#hovered ?? this.#focused);
   }
 
   #helpWith(target) {
@@ -179,8 +202,9 @@ function makeNumber(parameter, id, helpId, host) {
     const text = numberText(shown.value, decimals, host.mark());
     // What is being typed stays as it is, unless the value is another one by now.
     if (whole || other || document.activeElement !== input) {
+      const typed = input.value !== text;
       input.value = text;
-      complain("");
+      if (whole || other || typed) complain("");
     }
     input.setAttribute("aria-valuenow", shown.value);
     input.setAttribute("aria-valuetext", `${text} ${unit}`.trim());
@@ -190,15 +214,17 @@ function makeNumber(parameter, id, helpId, host) {
   };
   const take = () => {
     if (input.value.trim() === "") return host.refresh(name);
+    // As it stands in the field it may be rounded: it is the value that is there already.
+    if (input.value === numberText(now.value, decimals, host.mark())) return input.ariaInvalid === "true" && complain("");
     let value;
     try {
       value = host.read(name, input.value);
     } catch (error) {
       return complain(error.message); // and what was typed stays, to be mended
     }
-    // As it stands in the field it may be rounded: it is the value that is there already.
-    if (input.value !== numberText(now.value, decimals, host.mark())) host.set({ [name]: value });
+    host.set({ [name]: value });
     host.refresh(name);
+    problem.textContent = beyondSentence(parameter, value, host.mark());
   };
   range.addEventListener("input", () => host.slide(name, range.valueAsNumber));
   range.addEventListener("change", () => host.endSlide());
@@ -210,6 +236,10 @@ function makeNumber(parameter, id, helpId, host) {
       input.select();
     } else if (event.key === "Escape") {
       host.refresh(name);
+    } else if (travelOf(event) && input.value === numberText(now.value, decimals, host.mark())) {
+      // Nothing is typed that the browser could take back.
+      event.preventDefault();
+      host.travel(travelOf(event));
     } else if (["ArrowUp", "ArrowDown", "PageUp", "PageDown"].includes(event.key)) {
       event.preventDefault();
       host.step(name, keySteps(event));

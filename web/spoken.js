@@ -37,3 +37,10 @@ export const kNothingInView = "From here no size can be shown. Turn the model.";
 
 /** That a value is at its limit: "Width is at most 15.00 m." */
 export const limitSentence = (title, most, text) => `${title} is ${most ? "at most" : "at least"} ${text}.`;
+
+/** The same of a value beyond a parameter's range, which becomes the range's end; "" for one within it, a switch's or a choice's. */
+export function beyondSentence(parameter, value, mark) {
+  const { title, min, max } = parameter;
+  if (typeof value !== "number" || (value >= min && value <= max)) return "";
+  return limitSentence(title, value > max, valueText({ ...parameter, value: value > max ? max : min }, mark));
+}

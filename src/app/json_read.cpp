@@ -120,7 +120,7 @@ Result<std::vector<std::pair<std::size_t, double>>> readValues(std::span<const P
     if (!index) {
       std::vector<std::string_view> names;
       for (const Parameter& parameter : parameters) names.push_back(parameter.name);
-      return Error{"There is no parameter " + inQuotes(name) + "; this model has " + joined(names) + "."};
+      return Error{"There is no parameter " + inQuotes(name) + (names.empty() ? std::string("; no model is shown yet.") : "; this model has " + joined(names) + ".")};
     }
     const auto number = valueFrom(parameters[*index], value);
     if (!number) return number.error();

@@ -16,7 +16,7 @@ namespace dimline {
 
 namespace {
 
-/// {"scene": a Uint8Array}, or {"error": a sentence}. `files` holds a Uint8Array for each URI that a .gltf names; those that no surface shows may be missing.
+/// {"scene": a Uint8Array, "notes": a sentence for each thing that is left out}, or {"error": a sentence}. `files` holds a Uint8Array for each URI that a .gltf names; those that no surface shows may be missing.
 emscripten::val importGltfFile(const std::string& name, const emscripten::val& bytes, const emscripten::val& files) {
   emscripten::val result = emscripten::val::object();
   const auto failed = [&](const std::string& sentence) {
@@ -34,6 +34,7 @@ emscripten::val importGltfFile(const std::string& name, const emscripten::val& b
   const auto scene = importGltf(name, *content, resolve);
   if (!scene) return failed(scene.error().message);
   result.set("scene", byteArrayOf(bytesOf(*scene)));
+  result.set("notes", emscripten::val::array(scene->diagnostics));
   return result;
 }
 

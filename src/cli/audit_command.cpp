@@ -6,6 +6,7 @@
 #include "cli/audit_report.h"
 #include "cli/given_values.h"
 #include "cli/load_model.h"
+#include "cli/output_file.h"
 #include "cli/size_text.h"
 #include "core/text.h"
 #include "models/models.h"
@@ -112,9 +113,13 @@ Outcome auditOne(std::string_view name, const AuditOptions& options, JsonWriter&
   if (!model) return badInput(model.error());
   const auto values = valuesOf(*model, options.assignments);
   if (!values) return badInput(values.error());
+  const std::string folder = options.svgFolder && options.model == "all" ? *options.svgFolder + "/" + std::string(name) : options.svgFolder.value_or("");
+  // Before the minutes that the audit may take.
+  if (options.svgFolder) {
+    if (Status status = makeFolder(folder); !status) return badInput(status.error());
+  }
   const std::vector<AuditPart> parts = auditModel(*model, *values, options.plan, streams.err);
   if (options.svgFolder) {
-    const std::string folder = options.model == "all" ? *options.svgFolder + "/" + std::string(name) : *options.svgFolder;
     if (Status status = drawWorst(*model, parts, options.worst, folder); !status)
       return badInput(status.error());
   }

@@ -57,7 +57,6 @@ Status drawFlight(const Model& model, const AuditPart::Leg& leg, const std::mult
 
 Status drawWorst(const Model& model, const std::vector<AuditPart>& parts, std::size_t worst,
                  const std::string& folder) {
-  if (Status status = makeFolder(folder); !status) return status;
   for (const AuditPart& part : parts) {
     for (const auto& [name, frames] : wantedFrames(part, worst, folder)) {
       const auto leg = std::ranges::find_if(

@@ -45,7 +45,7 @@ std::vector<AuditPart> auditModel(const Model& model, const Values& values, cons
                                   std::ostream& progress);
 
 /// Writes the drawings of the frames that the report lists, the gravest `worst` of each row that misses its aim, as
-/// FOLDER/orbits-flicker-1.svg and so on. Flies there again for that.
+/// FOLDER/orbits-flicker-1.svg and so on, in a folder that is there. Flies there again for that.
 Status drawWorst(const Model& model, const std::vector<AuditPart>& parts, std::size_t worst, const std::string& folder);
 
 }  // namespace dimline

@@ -5,6 +5,7 @@
 #include "cli/given_values.h"
 #include "cli/load_model.h"
 #include "cli/output_file.h"
+#include "core/text.h"
 #include "gltf/gltf_writer.h"
 
 namespace dimline {
@@ -30,6 +31,8 @@ Outcome run(std::span<const std::string_view> list, const Streams& streams) {
   const auto output = arguments->value("-o");
   if (!output) return badArguments("-o is missing: say where the model shall be written, as in -o OUT.glb.");
   if (output->empty()) return badArguments("-o needs a path that is not empty.");
+  // Another ending would promise another format.
+  if (*output != "-" && !endsIgnoringCase(*output, ".glb")) return badArguments("-o takes a name that ends in .glb, for that is what is written, not " + inQuotes(*output) + ".");
 
   const auto model = loadModel(*name, streams.err);
   if (!model) return badInput(model.error());

@@ -48,7 +48,8 @@ struct Job {
 Status findCameras(Job& job) {
   const LayoutOptions& options = job.options;
   if (options.camerasPath) {
-    const auto text = readFile(*options.camerasPath);
+    constexpr std::size_t kMostBytes = std::size_t{64} << 20U;   // some hundred thousand cameras
+    const auto text = readFile(*options.camerasPath, kMostBytes);
     if (!text) return text.error();
     auto cameras = readCameras(*text);
     if (!cameras) return Error{*options.camerasPath + ": " + cameras.error().message};

@@ -13,12 +13,7 @@ namespace dimline {
 
 namespace {
 
-bool isGltfPath(std::string_view name) {
-  for (const std::string_view ending : {".gltf", ".glb"}) {
-    if (name.size() > ending.size() && equalIgnoringCase(name.substr(name.size() - ending.size()), ending)) return true;
-  }
-  return false;
-}
+bool isGltfPath(std::string_view name) { return endsIgnoringCase(name, ".gltf") || endsIgnoringCase(name, ".glb"); }
 
 }  // namespace
 

@@ -2,12 +2,12 @@
 
 #include <unistd.h>
 
+#include <array>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <sstream>
 #include <system_error>
 
 #include "core/text.h"
@@ -54,15 +54,20 @@ Status makeFolder(const std::string& path) {
   return cannot("make the folder", path, code ? code.value() : ENOTDIR);
 }
 
-Result<std::string> readFile(const std::string& path) {
+Result<std::string> readFile(const std::string& path, std::size_t mostBytes) {
   std::error_code code;
   if (std::filesystem::is_directory(path, code)) return cannot("read", path, EISDIR);
   errno = 0;
-  const std::ifstream stream(path, std::ios::binary);
+  std::ifstream stream(path, std::ios::binary);
   if (!stream) return cannot("read", path, errno != 0 ? errno : ENOENT);
-  std::ostringstream content;
-  content << stream.rdbuf();
-  return content.str();
+  std::string content;
+  std::array<char, 65536> block;
+  while (stream.read(block.data(), block.size()) || stream.gcount() > 0) {
+    content.append(block.data(), static_cast<std::size_t>(stream.gcount()));
+    if (content.size() > mostBytes)
+      return Error{inQuotes(path, kWholePath) + " has more than " + std::to_string(mostBytes >> 20U) + " MB, which is more than is read of such a file."};
+  }
+  return content;
 }
 
 }  // namespace dimline

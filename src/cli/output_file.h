@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 
@@ -13,7 +14,7 @@ Status writeFile(const std::string& path, std::string_view bytes);
 /// Sees to it that a folder is there, and those above it.
 Status makeFolder(const std::string& path);
 
-/// The whole of a file.
-Result<std::string> readFile(const std::string& path);
+/// The whole of a file, or of a device, that has no more than so many bytes.
+Result<std::string> readFile(const std::string& path, std::size_t mostBytes);
 
 }  // namespace dimline

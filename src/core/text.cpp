@@ -92,6 +92,10 @@ bool equalIgnoringCase(std::string_view a, std::string_view b) {
   return true;
 }
 
+bool endsIgnoringCase(std::string_view text, std::string_view ending) {
+  return text.size() > ending.size() && equalIgnoringCase(text.substr(text.size() - ending.size()), ending);
+}
+
 std::optional<double> parseDouble(std::string_view text) {
   if (!isDecimal(text)) return std::nullopt;
   // strtod wants a terminator. The program never calls setlocale, so the decimal sign is the "C" locale's.

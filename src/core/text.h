@@ -13,6 +13,8 @@ std::string_view trim(std::string_view text);
 
 /// Whether two texts are equal when the case of A to Z is ignored.
 bool equalIgnoringCase(std::string_view a, std::string_view b);
+/// Whether there is something before that ending.
+bool endsIgnoringCase(std::string_view text, std::string_view ending);
 
 /// The finite decimal number that the whole text spells ("-1.5", "2e3", ".5"); nothing for anything else: blanks,
 /// "nan", "0x1".

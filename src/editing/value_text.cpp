@@ -111,25 +111,28 @@ struct Quantity {
   double literalUnit = 0;         ///< size of the unit when it is a number with a unit and nothing else; 0 otherwise
 };
 
-/// Examples for the end of a sentence: what this parameter takes.
+/// Examples for the end of a sentence: ways to write the default, so that who follows them meets no limit.
 std::string examples(const Parameter& parameter) {
-  std::string text;
+  const double value = parameter.defaultValue;
+  std::array<char, 96> text{};
   switch (kindOf(parameter)) {
-    case Kind::kLength:
-      text = "3.2, 320 cm or 10'6\"";
+    case Kind::kLength: {
+      const auto inches = static_cast<int>(std::lround(value / kInchM));
+      std::snprintf(text.data(), text.size(), "%.2f, %.0f cm or %d'%d\"", value, value * 100, inches / 12, inches % 12);
       break;
+    }
     case Kind::kArea:
-      text = "120, 120 m\xC2\xB2 or 10 m * 12 m";
+      std::snprintf(text.data(), text.size(), "%.0f, %.0f m\xC2\xB2 or 10 m * %.1f m", value, value, value / 10);
       break;
     case Kind::kAngle:
-      text = "35, 35\xC2\xB0 or 0.6 rad";
+      std::snprintf(text.data(), text.size(), "%.0f, %.0f\xC2\xB0 or %.2f rad", value, value, value / kDegPerRad);
       break;
     case Kind::kBare:
-      text = parameter.type == ParameterType::kInt ? "4 or 2 * 3" : "2.5 or 10 / 4";
+      std::snprintf(text.data(), text.size(), "%g or %g + 1", value, value - 1);
       break;
   }
   std::ranges::replace(text, '.', parameter.decimalMark);
-  return text;
+  return text.data();
 }
 
 class Reader {

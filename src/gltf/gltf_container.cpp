@@ -19,9 +19,6 @@ using nlohmann::json;
 /// The parser recurses into what it does not know (extras, extensions); real files stay far below this.
 constexpr int kMaxNesting = 64;
 
-/// Sizes and counts that fit here fit every integer type on the way, on 32-bit hosts too.
-constexpr std::uint64_t kMaxSize = (std::uint64_t{1} << 31U) - 1;
-
 /// Extensions that a file may require: they change nothing that is read here, or are read.
 constexpr std::array<std::string_view, 4> kReadableExtensions{"KHR_mesh_quantization", "KHR_texture_transform",
                                                               "KHR_materials_unlit", "KHR_lights_punctual"};
@@ -102,11 +99,11 @@ const json* element(const json* array, const json* index) {
   return i < array->size() ? &(*array)[static_cast<std::size_t>(i)] : nullptr;
 }
 
-/// A size that may be missing; nothing when it is no whole number from 0 to kMaxSize.
+/// A size that may be missing; nothing when it is no whole number from 0 to kMaxGltfSize.
 std::optional<std::uint64_t> sizeOf(const json& object, const char* name, std::uint64_t whenMissing) {
   const json* value = member(&object, name);
   if (value == nullptr) return whenMissing;
-  if (!value->is_number_unsigned() || value->get<std::uint64_t>() > kMaxSize) return std::nullopt;
+  if (!value->is_number_unsigned() || value->get<std::uint64_t>() > kMaxGltfSize) return std::nullopt;
   return value->get<std::uint64_t>();
 }
 
@@ -188,7 +185,7 @@ Status checkBufferViews(const json& root, std::span<const std::uint64_t> bufferS
   for (std::size_t i = 0; i < views->size(); ++i) {
     const json& view = (*views)[i];
     const std::string label = "buffer view " + std::to_string(i);
-    const auto buffer = sizeOf(view, "buffer", kMaxSize);
+    const auto buffer = sizeOf(view, "buffer", kMaxGltfSize);
     if (!buffer || *buffer >= bufferSizes.size()) return Error{label + " belongs to a buffer that does not exist."};
     const auto offset = sizeOf(view, "byteOffset", 0);
     const auto length = sizeOf(view, "byteLength", 0);
@@ -232,7 +229,7 @@ std::vector<std::string> baseColorFiles(const json& root) {
 
 Result<GltfContainer> openGltf(std::span<const std::byte> bytes) {
   if (bytes.empty()) return Error{"the file is empty."};
-  if (bytes.size() > kMaxSize) return Error{"the file has more than 2 GB; only smaller ones are read."};
+  if (bytes.size() > kMaxGltfSize) return Error{"the file has more than 2 GB; only smaller ones are read."};
 
   GltfContainer container;
   container.json = asText(bytes);

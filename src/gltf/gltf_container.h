@@ -11,6 +11,9 @@
 
 namespace dimline {
 
+/// Bytes of a file, and whatever it counts: what fits here fits every integer type on the way, on 32-bit hosts too.
+inline constexpr std::uint64_t kMaxGltfSize = (std::uint64_t{1} << 31U) - 1;
+
 /// A glTF file taken apart and checked as far as its parser takes things on trust: a .glb's chunks lie within the file, the JSON is
 /// an object of version 2 that is not nested without end, needs no extension that is not supported, and its buffer views lie within its buffers.
 struct GltfContainer {

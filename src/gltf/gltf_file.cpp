@@ -147,7 +147,9 @@ public:
   }
 
 private:
-  void leaveOut(const std::string& what) { file_.diagnostics.push_back(what); }
+  void leaveOut(const std::string& what) {
+    if (std::ranges::find(file_.diagnostics, what) == file_.diagnostics.end()) file_.diagnostics.push_back(what);
+  }
 
   // Materials and images
 

@@ -4,6 +4,7 @@
 #include <system_error>
 
 #include "core/text.h"
+#include "gltf/gltf_container.h"
 #include "gltf/gltf_reader.h"
 
 // readGltfFile stands in a file of its own, so that the page, which never calls it, carries no file system.
@@ -38,6 +39,7 @@ Result<std::vector<std::byte>> readWhole(const std::filesystem::path& path, cons
   std::ifstream stream(path, std::ios::binary | std::ios::ate);
   if (!stream) return Error{"there is no file " + shownName + ", or it may not be read."};
   const std::streamoff size = stream.tellg();
+  if (size > static_cast<std::streamoff>(kMaxGltfSize)) return Error{shownName + " has more than 2 GB; only smaller ones are read."};
   std::vector<std::byte> bytes(static_cast<std::size_t>(std::max<std::streamoff>(size, 0)));
   stream.seekg(0);
   stream.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
@@ -53,8 +55,7 @@ Result<Model> readGltfFile(const std::string& path) {
   const std::filesystem::path folder = std::filesystem::path(path).parent_path();
   return readGltf(path, *bytes, [&](std::string_view uri) -> Result<std::vector<std::byte>> {
     if (uri.find("://") != std::string_view::npos) {
-      return Error{"the file at " + inQuotes(uri) +
-                   " is on the network; put it beside this one and name it by its file name."};
+      return Error{"it names " + inQuotes(uri) + ", and only files beside it are read; put that one there and name it by its file name."};
     }
     return readWhole(folder / percentDecoded(uri), inQuotes(uri));
   });

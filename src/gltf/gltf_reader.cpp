@@ -17,6 +17,8 @@ namespace {
 
 /// m. Farther out, floats leave no room for the model's own detail.
 constexpr double kMaxCoordinateM = 1e8;
+/// m. Smaller models would be measured in digits that no label has.
+constexpr double kLeastDiagonalM = 1e-5;
 
 struct PositionHash {
   std::size_t operator()(const glm::vec3& p) const {
@@ -117,6 +119,8 @@ Result<ImportedScene> sceneOf(GltfFile file) {
     const std::string why = scene.diagnostics.empty() ? "" : " " + scene.diagnostics.front();
     return Error{"the file shows no triangles, so there is nothing to dimension." + why};
   }
+  if (scene.bounds.diagonal() < kLeastDiagonalM)
+    return Error{"the model is less than a hundredth of a millimetre large, too small to be measured; lengths in glTF are in metres, so scale it up."};
   return scene;
 }
 

@@ -217,6 +217,23 @@ test("a model that is not there is told to the element's listeners, and counts a
     assert.equal(told.atWindow, 0);
   }));
 
+test("who waits for an element whose first model is not there learns why, and can give it another", () =>
+  withPage({}, async (page) => {
+    const told = await page.evaluate(async () => {
+      const editor = document.createElement("dimline-editor");
+      editor.model = "hous";
+      document.body.append(editor);
+      const message = await editor.ready.then(() => "ready", (error) => error.message);
+      editor.model = "house";
+      await new Promise((resolve) => editor.addEventListener("load", resolve, { once: true }));
+      const names = editor.getParameters().map(({ name }) => name);
+      editor.remove();
+      return { message, names };
+    });
+    assert.match(told.message, /no built-in model "hous"/);
+    assert.ok(told.names.includes("Width"));
+  }));
+
 test("a wheel that goes sideways is the page's", () =>
   withPage({}, async (page) => {
     const { x, y, width, height } = await pictureBox(page);

@@ -114,6 +114,63 @@ test("a typed number is taken and clamped, an empty field is filled again, and E
   assert.equal(Number(await number.inputValue()), min);
 });
 
+test("a number beyond the range becomes its end, and the row says so until the next one", async () => {
+  const { max, default: start } = (await parameters()).find((p) => p.name === "Width");
+  const number = row("Width").locator("input.number");
+  const said = row("Width").locator(".problem");
+  for (const key of ["Enter", "Tab"]) {
+    await number.fill("999");
+    await number.press(key);
+    await settle(page);
+    assert.equal(await valueOf(page, "Width"), max);
+    assert.equal(await said.textContent(), `Width is at most ${max.toFixed(2)} m.`);
+    assert.equal(await number.getAttribute("aria-invalid"), "false");
+    await number.fill(String(start));
+    await number.press("Enter");
+    await settle(page);
+    assert.equal(await said.textContent(), "");
+  }
+});
+
+test("in a number's field Ctrl+Z takes back the last value, but the typing while something is typed", async () => {
+  const number = row("Depth").locator("input.number");
+  const start = await valueOf(page, "Depth");
+  await number.fill("9");
+  await number.press("Enter");
+  await settle(page);
+  assert.equal(await valueOf(page, "Depth"), 9);
+  await number.press("Control+z");
+  await settle(page);
+  assert.equal(await valueOf(page, "Depth"), start);
+  assert.equal(Number(await number.inputValue()), start);
+  await number.press("Control+Shift+z");
+  await settle(page);
+  assert.equal(await valueOf(page, "Depth"), 9);
+  await number.pressSequentially("11");
+  await number.press("Control+z");
+  await settle(page);
+  assert.equal(await valueOf(page, "Depth"), 9);
+  await number.press("Escape");
+  await number.press("Control+z");
+  await settle(page);
+  assert.equal(await valueOf(page, "Depth"), start);
+});
+
+test("the row under the mouse, or else the one in use, marks its line in the picture", async () => {
+  const marked = async () => {
+    await settle(page);
+    return page.evaluate(() => [...document.querySelector("dimline-editor").shadowRoot.querySelectorAll(".label[data-active]")].map(({ ariaLabel }) => ariaLabel));
+  };
+  await row("Width").locator("input[type=range]").focus();
+  assert.deepEqual(await marked(), ["Width"]);
+  await row("Depth").locator("label").hover();
+  assert.deepEqual(await marked(), ["Depth"]);
+  await page.mouse.move(5, 5);
+  assert.deepEqual(await marked(), ["Width"]);
+  await page.evaluate(() => document.activeElement.blur());
+  assert.deepEqual(await marked(), []);
+});
+
 test("switches and choices change the house", async () => {
   const { name, title, value } = (await parameters()).find((p) => p.type === "bool");
   await page.getByRole("switch", { name: title }).click();

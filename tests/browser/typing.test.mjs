@@ -1,9 +1,9 @@
 // Exact values: typed on the line itself and in the panel, in the visitor's own manner of writing numbers.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { inside, labelOf, sliderOf } from "./support/handles.mjs";
+import { inside, labelOf, middleOf, sliderOf } from "./support/handles.mjs";
 import { openHouse } from "./support/house.mjs";
-import { call, cameraOf, openPage, screenshot, settle, takeEvents, valueOf } from "./support/page.mjs";
+import { call, cameraOf, layoutOf, openPage, screenshot, settle, takeEvents, valueOf } from "./support/page.mjs";
 
 let browser, tab, page, defaults;
 openHouse({ width: 1100, height: 800, drawn: false }, (desk) => ({ browser, tab, page, defaults } = desk));
@@ -117,6 +117,22 @@ test("Tab and Shift+Tab accept and go to the next line and back; after the last 
   await page.keyboard.press("Tab");
   assert.equal(await field().count(), 0);
   assert.notEqual(await page.evaluate(() => document.activeElement.shadowRoot?.activeElement?.localName), "input");
+});
+
+test("a click on any number of a chain opens the field there, and the keyboard goes on from there", async () => {
+  const lines = (await layoutOf(page)).lines.filter(({ parameter, chain, label }) => parameter === "FloorHeight" && chain !== null && label);
+  assert.ok(lines.length >= 2, "each floor has its number");
+  for (const { label } of lines) {
+    const [x, y] = await middleOf(page, label.box);
+    await page.mouse.click(x, y);
+    await settle(page);
+    const box = await inside(page, ".value-field").boundingBox();
+    assert.ok(Math.hypot(box.x + box.width / 2 - x, box.y + box.height / 2 - y) < 8, `the field is ${box.x}, ${box.y}, the click was at ${x}, ${y}`);
+    await page.keyboard.press("Escape");
+    assert.equal(await focusedName(), "FloorHeight");
+    const focused = await page.evaluate(() => document.activeElement.shadowRoot.activeElement.getBoundingClientRect().toJSON());
+    assert.ok(Math.hypot(focused.x + focused.width / 2 - x, focused.y + focused.height / 2 - y) < 8);
+  }
 });
 
 test("a digit typed on a focused line begins an edit, and so does Enter", async () => {

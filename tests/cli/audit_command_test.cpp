@@ -68,6 +68,15 @@ TEST_CASE("dimline audit draws the gravest cases") {
   CHECK(contentOf(folder / "drawings/" + drawings[0]).find("<svg") != std::string::npos);
 }
 
+TEST_CASE("dimline audit looks after the folder for its drawings before it begins") {
+  const TemporaryFolder folder;
+  const Run run = runProgram({"audit", "house", "--worst", "2", "--svg", folder.file("drawings", "a file")});
+  CHECK(run.status == 1);
+  CHECK(run.out.empty());
+  CHECK(run.err.find("Cannot make the folder") != std::string::npos);
+  CHECK(run.err.find("orbit") == std::string::npos);   // nothing has been flown
+}
+
 TEST_CASE("dimline audit says what is wrong with its arguments") {
   CHECK(runProgram({"audit"}).status == 2);
   CHECK(runProgram({"audit", "house", "box"}).status == 2);

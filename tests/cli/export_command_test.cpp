@@ -59,6 +59,8 @@ TEST_CASE("what cannot be exported gets a sentence, and leaves no file") {
   const Case cases[] = {{{"-o", out}, 2, "Name a model"},
                         {{"house"}, 2, "-o is missing"},
                         {{"house", "-o", ""}, 2, "-o needs a path"},
+                        {{"house", "-o", folder / "out.gltf"}, 2, "ends in .glb"},
+                        {{"house", "-o", folder / ".glb/house"}, 2, "ends in .glb"},
                         {{"house", "lever", "-o", out}, 2, "One model at a time"},
                         {{"house", "--set", "Width", "-o", out}, 2, "--set takes NAME=VALUE"},
                         {{"house", "--size", "3x4", "-o", out}, 2, "--size"},

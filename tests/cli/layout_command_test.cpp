@@ -371,6 +371,12 @@ TEST_CASE("a model or a value that cannot be used: status 1") {
   CHECK(failing({folder.file("broken.glb", "glTF and then nothing")}).status == 1);
 }
 
+TEST_CASE("of a file of cameras that has no end no more is read than makes sense") {
+  const Run run = failing({"house", "--cameras", "/dev/zero"});
+  CHECK(run.status == 1);
+  CHECK(run.err.find("\"/dev/zero\" has more than 64 MB") != std::string::npos);
+}
+
 TEST_CASE("cameras that cannot be used: status 1, and which one it is") {
   const std::vector<std::pair<std::string, std::string>> cases = {
       {"[{", "not valid JSON"},

@@ -134,13 +134,13 @@ TEST_CASE("groups of digits have three each, the first one to three, and one sor
 }
 
 TEST_CASE("a refusal says what is wrong and what would do") {
-  REQUIRE(refusal(length(), "") == "Type a length, such as 3.2, 320 cm or 10'6\".");
-  REQUIRE(refusal(length(','), "   ") == "Type a length, such as 3,2, 320 cm or 10'6\".");
-  REQUIRE(refusal(length(), "3 apples") == "\"3 apples\" is not a length: \"apples\" is no unit. Try 3.2, 320 cm or 10'6\".");
-  REQUIRE(refusal(length(), "tall") == "\"tall\" is not a length. Try 3.2, 320 cm or 10'6\".");
-  REQUIRE(refusal(length(), "?") == "\"?\" is not a length. Try 3.2, 320 cm or 10'6\".");
-  REQUIRE(refusal(angle(), "3 m") == "\"3 m\" is a length, and Roof pitch takes an angle. Try 35, 35\xC2\xB0 or 0.6 rad.");
-  REQUIRE(refusal(area(), "3 m") == "\"3 m\" is a length, and Floor area takes an area. Try 120, 120 m\xC2\xB2 or 10 m * 12 m.");
+  REQUIRE(refusal(length(), "") == "Type a length, such as 8.00, 800 cm or 26'3\".");
+  REQUIRE(refusal(length(','), "   ") == "Type a length, such as 8,00, 800 cm or 26'3\".");
+  REQUIRE(refusal(length(), "3 apples") == "\"3 apples\" is not a length: \"apples\" is no unit. Try 8.00, 800 cm or 26'3\".");
+  REQUIRE(refusal(length(), "tall") == "\"tall\" is not a length. Try 8.00, 800 cm or 26'3\".");
+  REQUIRE(refusal(length(), "?") == "\"?\" is not a length. Try 8.00, 800 cm or 26'3\".");
+  REQUIRE(refusal(angle(), "3 m") == "\"3 m\" is a length, and Roof pitch takes an angle. Try 35, 35\xC2\xB0 or 0.61 rad.");
+  REQUIRE(refusal(area(), "3 m") == "\"3 m\" is a length, and Floor area takes an area. Try 500, 500 m\xC2\xB2 or 10 m * 50.0 m.");
   REQUIRE(refusal(count(), "2.5") == "Floors takes whole numbers, and \"2.5\" is not one. Try 3.");
   REQUIRE(refusal(length(), "3 *").find("ends too early") != std::string::npos);
   REQUIRE(refusal(length(), "(3 + 2").find("bracket that is not closed") != std::string::npos);
@@ -156,6 +156,27 @@ TEST_CASE("a refusal says what is wrong and what would do") {
   REQUIRE(refusal(length(), "3 $ 4").find("\"$\" in it") != std::string::npos);
   REQUIRE(refusal(length(), "1.2.3").find("where its decimals begin") != std::string::npos);
   REQUIRE(refusal(length(), "1,2,3").find("where its decimals begin") != std::string::npos);
+}
+
+TEST_CASE("what a refusal suggests is taken, and is the default within what its digits say") {
+  const double chimneyM = 0.2;
+  Parameter thin = length();
+  thin.defaultValue = chimneyM;
+  for (const Parameter& parameter : {length(), length(','), thin, angle(), area(), count()}) {
+    std::string said = refusal(parameter, "?");
+    said = said.substr(said.find("Try ") + 4);
+    said.pop_back();   // the full stop
+    std::vector<std::string> examples;
+    for (const std::string_view between : {", ", " or "}) {
+      const std::size_t at = said.find(between);
+      if (at == std::string::npos) continue;
+      examples.push_back(said.substr(0, at));
+      said.erase(0, at + between.size());
+    }
+    examples.push_back(said);
+    CHECK(examples.size() >= 2);
+    for (const std::string& example : examples) CHECK(read(parameter, example) == Approx(parameter.defaultValue).epsilon(0.02));
+  }
 }
 
 TEST_CASE("what would not end or fit is refused") {

@@ -138,6 +138,8 @@ TEST_CASE("numbers that no model has") {
           r["nodes"][1]["translation"] = {1e300, 0, 0};
           r["nodes"][0]["scale"] = {1e300, 1, 1};
         }) == "a.glb: the model reaches farther than 100,000 km from its origin; scale it down.");
+  CHECK(errorAfter([](json& r) { r["nodes"][0]["scale"] = {1e-7, 1e-7, 1e-7}; }) ==
+        "a.glb: the model is less than a hundredth of a millimetre large, too small to be measured; lengths in glTF are in metres, so scale it up.");
   GltfMaker maker = wholeFile();
   const float nan = std::numeric_limits<float>::quiet_NaN();
   std::memcpy(maker.bin.data() + 16, &nan, sizeof nan);
@@ -157,6 +159,17 @@ TEST_CASE("a message quotes no whole buffer") {
   });
   CHECK(error.starts_with("a.glb: "));
   CHECK(error.size() < 400);
+}
+
+TEST_CASE("what is left out many times is told once") {
+  GltfMaker maker = wholeFile();
+  json& primitives = maker.root["meshes"][0]["primitives"];
+  json points = primitives[0];
+  points["mode"] = 0;
+  for (int i = 0; i < 100; ++i) primitives.push_back(points);
+  const auto scene = importGltf("a.glb", maker.glb(), {});
+  REQUIRE(scene);
+  CHECK(scene->diagnostics == std::vector<std::string>{"Mesh 0 has points or lines, which are left out."});
 }
 
 TEST_CASE("files that show nothing") {

@@ -5,8 +5,8 @@ import { modelOf, valuesOf, withModel, withValues } from "../../web/address.js";
 
 const kPage = "https://example.org/configure/";
 const parameters = [
-  { name: "Width", title: "Width", type: "float", value: 9, default: 9 },
-  { name: "Pitch", title: "Roof pitch", type: "angle", value: 35, default: 35 },
+  { name: "Width", title: "Width", type: "float", unit: "m", min: 7, max: 18, step: 0.1, value: 9, default: 9 },
+  { name: "Pitch", title: "Roof pitch", type: "angle", unit: "deg", min: 5, max: 60, step: 1, value: 35, default: 35 },
   { name: "Attic", title: "Attic window", type: "bool", value: true, default: true },
   { name: "Roof", title: "Roof", type: "choice", choices: ["gable", "half hip"], value: "gable", default: "gable" },
 ];
@@ -43,4 +43,10 @@ test("what cannot be had is left out, and said", () => {
   ]);
   assert.deepEqual(valuesOf(`${kPage}#Width=Infinity&Pitch=1e999&Attic=constructor`, parameters).values, {});
   assert.equal(valuesOf(`${kPage}#${Array.from({ length: 1000 }, (_, i) => `Moat${i}=1`).join("&")}`, parameters).problems.length, 5);
+});
+
+test("a value beyond its range becomes its end, which is said", () => {
+  const { values, problems } = valuesOf(`${kPage}#Pitch=85`, parameters);
+  assert.deepEqual(values, { Pitch: 85 });
+  assert.deepEqual(problems, ["Roof pitch is at most 60°."]);
 });

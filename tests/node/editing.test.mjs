@@ -37,7 +37,7 @@ test("what a visitor types is read in units, sums and either decimal mark, or re
   assert.equal(core.parseValue("RoofPitch", "35°"), 35);
   assert.equal(core.parseValue("Floors", "1 + 2"), 3);
   assert.equal(core.parseValue("RoofType", "Hip"), "hip");
-  assert.throws(() => core.parseValue("Width", "3 apples"), /"3 apples" is not a length: "apples" is no unit\. Try 3\.2, 320 cm or 10'6"\./);
+  assert.throws(() => core.parseValue("Width", "3 apples"), /"3 apples" is not a length: "apples" is no unit\. Try 13\.00, 1300 cm or 42'8"\./);
   assert.throws(() => core.parseValue("Floors", "2.5"), /whole numbers/);
   assert.throws(() => core.parseValue("Windth", "2"), /no parameter "Windth"/);
 });

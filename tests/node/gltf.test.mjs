@@ -42,6 +42,23 @@ test("a .gltf takes its buffers from the files that come along, and says which i
   await assert.rejects(core.readGltf("tetra.gltf", { bytes: tetrahedronGltf().bytes }), /^Error: tetra\.gltf: .*"tetra\.bin"/);
 });
 
+test("what a scene leaves out of its file is told, by the console to who does not ask", async (t) => {
+  const core = await openCore(t);
+  const { bytes, files } = tetrahedronGltf();
+  const document = JSON.parse(new TextDecoder().decode(bytes));
+  const { primitives } = document.meshes[0];
+  primitives.push({ ...primitives[0], mode: 0 });
+  const withPoints = { bytes: new TextEncoder().encode(JSON.stringify(document)), files };
+  const sentence = "Mesh 0 has points or lines, which are left out.";
+  const told = [];
+  assert.ok(await core.readGltf("tetra.gltf", withPoints, (note) => told.push(note)));
+  assert.deepEqual(told, [sentence]);
+  const warn = t.mock.method(console, "warn", () => {});
+  await core.readGltf("tetra.gltf", withPoints);
+  await core.readGltf("tetra.gltf", tetrahedronGltf());
+  assert.deepEqual(warn.mock.calls.map((call) => call.arguments), [[`tetra.gltf: ${sentence}`]]);
+});
+
 test("what is wrong with a file is an Error with its sentence, and the document stays", async (t) => {
   const core = await openCore(t);
   const before = sizes(core);

@@ -1,7 +1,7 @@
 // Sentences for screen readers.
 import { test } from "node:test";
 import assert from "node:assert/strict";
-import { changeSentence, hiddenSentence, limitSentence } from "../../web/spoken.js";
+import { beyondSentence, changeSentence, hiddenSentence, limitSentence } from "../../web/spoken.js";
 
 const pitch = (value) => ({ title: "Roof pitch", type: "angle", unit: "deg", step: 1, value });
 const width = (value) => ({ title: "Width", type: "float", unit: "m", step: 0.1, value });
@@ -32,4 +32,12 @@ test("hidden lines that come into view are counted, and where there are none tha
 test("a limit is told with its value", () => {
   assert.equal(limitSentence("Width", true, "15.00 m"), "Width is at most 15.00 m.");
   assert.equal(limitSentence("Floors", false, "1"), "Floors is at least 1.");
+});
+
+test("a value beyond its range is told, and no other", () => {
+  const between = { ...width(9), min: 7, max: 18 };
+  assert.equal(beyondSentence(between, 18.01, ","), "Width is at most 18,00 m.");
+  assert.equal(beyondSentence(between, 0, "."), "Width is at least 7.00 m.");
+  for (const value of [7, 12, 18]) assert.equal(beyondSentence(between, value, "."), "");
+  assert.equal(beyondSentence({ ...chimney(true), min: null, max: null }, true, "."), "");
 });
