@@ -107,7 +107,7 @@ bool isFading(const CandidateContext& context, std::size_t scope) {
 
 /// Whether a line that is not shown would be for a few frames only, before it is too short again.
 bool isShownAnewInVain(const CandidateContext& context, const Foresight::Prospect& prospect) {
-  return prospect.shortSoon && context.history.hidden() && !context.showAll;
+  return prospect.shortSoon && context.history.shownAnew() && !context.showAll;
 }
 
 /// Scores the placed candidate and keeps it.

@@ -171,13 +171,13 @@ bool Chooser::chooseBest(const Measured& measured, const ChoiceContext& context,
 }
 
 /// The fallback: the base lines themselves (algorithm 1, line 9), the best that runs into no other line, or else the best of those in plain view: one that leads out of the picture, or measures what the model
-/// mostly hides, says less than it confuses when it runs across others. Its label waits for what else is there.
+/// mostly hides, says less than it confuses when it runs across others, or would begin on an edge behind the model. Its label waits for what else is there.
 bool Chooser::chooseInside(const CandidateContext& candidates, const ChoiceContext& context) {
   const Landed& landed = context.occupied.landed();
   const History& history = candidates.history;
   const auto isFree = [&](const UsableBaseLine& base, bool stays) {
     if (landed.runsInto(base.screen) || landed.coversLabel(base.screen)) return false;
-    return (stays && history.framesHeld() < kPartlySeenStaysFrames) || !landed.crossesExtension(base.screen);
+    return (stays && history.framesHeld() < kPartlySeenStaysFrames) || !(landed.crossesExtension(base.screen) || (!stays && isBehindModel(candidates, base)));
   };
   candidates_.clear();
   for (const UsableBaseLine& base : bases_) {

@@ -201,6 +201,41 @@ TEST_CASE("inside the model, lines lie on edges that are seen rather than behind
   }
 }
 
+TEST_CASE("inside the model, no line is begun on an edge that the model hides, unless what it measures is in plain view") {
+  const auto wallWithPost = [](double heightM) {
+    ModelDefinition definition = wallWithMast();
+    definition.parameters[1].annotation = "@Handle(scope=Post, type=linear-contour, orient=up, slip=none)";
+    definition.build = [heightM](const Values&) {
+      Scene scene = sceneOf({{"Wall", boxAt({-20, -10, -1}, {40, 20, 1})}, {"Plate", boxAt({-0.5, -0.1, 0}, {1, 0.2, 0.1})}});
+      scene.scopes.push_back({"Post", 0, boxAt({1, -heightM / 2, -0.5}, {0.4, heightM, 0.5})});
+      return scene;
+    };
+    return definition;
+  };
+  const auto look = [](Stage& stage, double heightM, SeenEdges edges) {
+    const ScopeVisibility visibility{.seenShare = {1, 1, 1}, .seenEdges = {SeenEdges::all(), SeenEdges::all(), edges}};
+    stage.look(straightAt(heightM, kSeenM), 1000, 1000, &visibility);
+    return stage.find("Height");
+  };
+  for (const double heightM : {1.0, 20.0}) {
+    Stage hidden(wallWithPost(heightM));
+    INFO(heightM << " m");
+    CHECK((look(hidden, 0, SeenEdges(0)) != nullptr) == (heightM < kSeenM));
+    Stage seen(wallWithPost(heightM));
+    CHECK(look(seen, 0, SeenEdges::all()) != nullptr);
+  }
+  // Where it is, it stays: what passes before it for a moment is no reason to go.
+  Stage stage(wallWithPost(20));
+  REQUIRE(look(stage, 0, SeenEdges::all()) != nullptr);
+  for (int frame = 1; frame < 2 * kPartlySeenStaysFrames; ++frame) CHECK(look(stage, 0.002 * frame, SeenEdges(0)) != nullptr);
+  // On demand it is shown, behind the wall or not.
+  Stage demanded(wallWithPost(20));
+  REQUIRE(look(demanded, 0, SeenEdges(0)) == nullptr);
+  CHECK(demanded.layout.hidden.at(0).reason == HiddenReason::kOutOfView);
+  demanded.placer.showHidden(true);
+  CHECK(look(demanded, 0, SeenEdges(0)) != nullptr);
+}
+
 TEST_CASE("inside the model, a line of a row lies where more of what it measures is seen, and stays there") {
   ModelDefinition definition = wallWithMast();
   definition.build = [](const Values&) {
