@@ -44,7 +44,7 @@ enum class DragSnap : std::uint8_t { kStep, kFine, kNone };
 
 enum class StandardView : std::uint8_t { kThreeQuarter, kFront, kBack, kLeft, kRight, kTop };
 
-/// One document, one camera, one frame loop (DESIGN.md section 1). The host (a page, a test, a script) feeds input and time; the editor decides
+/// One document, one camera, one frame loop. The host (a page, a test, a script) feeds input and time; the editor decides
 /// everything else. Works without GL: then fields are measured on the CPU and nothing is drawn.
 ///
 /// Order of a frame: bring values under the pointers that drag handles; rebuild the model if values changed; measure fields; place lines; animate; draw.

@@ -12,7 +12,7 @@
 #include "model/model.h"
 #include "placement/layout.h"
 
-/// The JSON of DESIGN.md sections 6 and 7: what the command line writes and reads, and what crosses to JavaScript.
+/// JSON: what the command line writes and reads, and what crosses to JavaScript.
 /// Reading gives an Error that names the field and says what should stand there. Angles are in degrees in JSON.
 namespace dimline {
 

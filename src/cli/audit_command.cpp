@@ -113,15 +113,14 @@ Outcome auditOne(std::string_view name, const AuditOptions& options, JsonWriter&
   if (!model) return badInput(model.error());
   const auto values = valuesOf(*model, options.assignments);
   if (!values) return badInput(values.error());
-  const std::string folder = options.svgFolder && options.model == "all" ? *options.svgFolder + "/" + std::string(name) : options.svgFolder.value_or("");
-  // Before the minutes that the audit may take.
-  if (options.svgFolder) {
-    if (Status status = makeFolder(folder); !status) return badInput(status.error());
+  std::optional<std::string> folder = options.svgFolder;
+  if (folder && options.model == "all") *folder += "/" + std::string(name);
+  if (folder) {   // before the minutes that the audit may take
+    if (Status status = makeFolder(*folder); !status) return badInput(status.error());
   }
   const std::vector<AuditPart> parts = auditModel(*model, *values, options.plan, streams.err);
-  if (options.svgFolder) {
-    if (Status status = drawWorst(*model, parts, options.worst, folder); !status)
-      return badInput(status.error());
+  if (folder) {
+    if (Status status = drawWorst(*model, parts, options.worst, *folder); !status) return badInput(status.error());
   }
   if (options.json) {
     writeAudit(json, *model, parts, options.worst);

@@ -4,7 +4,7 @@
 
 namespace dimline {
 
-/// dimline audit: DESIGN.md section 8's first table, measured.
+/// dimline audit: what good lines look like (AuditRow), measured.
 Command auditCommand();
 
 }  // namespace dimline

@@ -10,7 +10,7 @@
 
 namespace dimline {
 
-/// The rows of DESIGN.md section 8's first table, and what exactly each counts. "Line" is one drawn line in one frame
+/// The rows of the audit's table, and what exactly each counts. "Line" is one drawn line in one frame
 /// (a chain's members are lines), "outside" one whose placement is outside or guide. All lengths are on screen unless
 /// metres are named.
 ///

@@ -39,7 +39,7 @@ struct AuditPart {
   AuditTally frozen;  ///< the first frame's lines of each flight, fixed in the world
 };
 
-/// Places a model along many ways round it and measures DESIGN.md section 8's first table. Uses all processors; the
+/// Places a model along many ways round it and measures every AuditRow. Uses all processors; the
 /// same plan gives the same result however many there are. Tells of its progress on `progress`.
 std::vector<AuditPart> auditModel(const Model& model, const Values& values, const AuditPlan& plan,
                                   std::ostream& progress);

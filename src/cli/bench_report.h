@@ -16,7 +16,7 @@ void printBench(const std::vector<BenchResult>& results, std::ostream& out);
 /// base lines (10 to 10^5, the same few triangles), chained and not. Measures as it prints.
 void printGrowth(std::ostream& out);
 
-/// The objects of DESIGN.md section 6, one a model.
+/// A list of objects, one a model; times in ms.
 void writeBench(JsonWriter& json, const std::vector<BenchResult>& results);
 
 }  // namespace dimline

@@ -34,7 +34,9 @@ constexpr std::string_view kHelp =
     "  --fields cpu|gpu     what measures the silhouette, cpu unless told\n"
     "  --masks FOLDER       also writes FOLDER/0000.pgm and so on: what the model covers, 255 where it is\n"
     "  --svg FOLDER         also writes FOLDER/0000.svg and so on: the dimensioned drawings\n"
-    "  -o OUT.json          where the layout goes; - is standard output\n";
+    "  -o OUT.json          where the layout goes; - is standard output\n\n"
+    "OUT.json holds the model's name, its parameters, bounds (m) and scopes, and the frames, one a camera, each as the type\n"
+    "Frame in web/dimline_editor.d.ts says.\n";
 
 /// Everything that one run works on.
 struct Job {

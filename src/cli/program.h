@@ -11,7 +11,7 @@
 
 namespace dimline {
 
-/// What the program's exit status says (DESIGN.md section 6).
+/// What the program's exit status says.
 enum class ExitStatus : int {
   kDone = 0,
   kBadInput = 1,     ///< the command line is understood, but what it names cannot be used: a model, a value, a file

@@ -20,7 +20,7 @@ namespace dimline {
 /// CPU's memory anyway, and scanning it there is faster than drawing passes.
 enum class FieldReduction : std::uint8_t { kOnGpu, kOnCpu };
 
-/// Measures the four fields with the GPU (DESIGN.md section 5; the paper's 4.1): the model is drawn as a mask at device pixels, the mask is
+/// Measures the four fields with the GPU (the paper's 4.1): the model is drawn as a mask at device pixels, the mask is
 /// reduced to the first and last covered pixel of each row and column, and these are read back through a buffer and a fence. A pixel is
 /// covered when a triangle, of either side, covers its centre; so a part thinner than a device pixel can be missed.
 ///

@@ -15,7 +15,7 @@
 
 namespace dimline {
 
-/// Measures with the GPU how much of each scope is seen (DESIGN.md section 5): the model's depths are drawn at the resolution that the CPU's way has too, and
+/// Measures with the GPU how much of each scope is seen: the model's depths are drawn at the resolution that the CPU's way has too, and
 /// one pass looks every scope's box up in them, sample by sample; so there is no query a scope. What is read back, through a buffer and a fence, is one pixel a
 /// scope. It counts what CpuVisibility counts; of a box larger than 64 samples along a side it looks at every second sample, or every third ..., along that side.
 ///

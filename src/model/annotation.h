@@ -39,7 +39,7 @@ enum class Align { kNone, kTop, kBottom, kLeft, kRight, kTopLeft, kTopRight, kBo
 enum class HandleEnds { kEnd, kBoth };
 enum class HandleSkin { kArrow, kSphere };
 
-/// What an author says about a parameter's handle. Defaults are those of DESIGN.md section 3.
+/// What an author says about a parameter's handle; what is not said is as it stands here.
 struct Annotation {
   std::string scope;                     ///< name of the scopes it measures; never empty after parsing
   HandleType type = HandleType::kLinearContour;

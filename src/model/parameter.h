@@ -31,7 +31,7 @@ struct Parameter {
   std::string noun{};                ///< what a count counts, in the singular, for labels: "floor" gives "2 floors"
   std::string plural{};              ///< where it is not the noun with an s: "shelves"
   std::vector<std::string> choices{};  ///< names of the choices, for kChoice
-  std::string annotation{};          ///< the text beside the definition (DESIGN.md section 3); empty: only in the panel
+  std::string annotation{};          ///< the text beside the definition (model/annotation.h reads it); empty: only in the panel
   bool measure = false;              ///< follows from other values: shown by a line that nobody can drag (see Measure)
   char decimalMark = '.';            ///< in values that people read: '.' or ','. Never an author's choice; a host sets it to its visitor's
 };

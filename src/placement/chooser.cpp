@@ -177,7 +177,8 @@ bool Chooser::chooseInside(const CandidateContext& candidates, const ChoiceConte
   const History& history = candidates.history;
   const auto isFree = [&](const UsableBaseLine& base, bool stays) {
     if (landed.runsInto(base.screen) || landed.coversLabel(base.screen)) return false;
-    return (stays && history.framesHeld() < kPartlySeenStaysFrames) || !(landed.crossesExtension(base.screen) || (!stays && isBehindModel(candidates, base)));
+    if (stays && history.framesHeld() < kPartlySeenStaysFrames) return true;
+    return !landed.crossesExtension(base.screen) && (stays || !isBehindModel(candidates, base));
   };
   candidates_.clear();
   for (const UsableBaseLine& base : bases_) {

@@ -9,7 +9,7 @@
 
 namespace dimline {
 
-/// Where the text of a line goes (DESIGN.md section 4, "Labels count"): upright, riding on the line, which is interrupted for it; when the line
+/// Where the text of a line goes: upright, riding on the line, which is interrupted for it; when the line
 /// is too short for that, beyond one of its ends or beside its middle.
 ///
 ///        |<----- 2.40 m ----->|        |<->| 2.40 m        2.40 m

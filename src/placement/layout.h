@@ -24,7 +24,7 @@ enum class Facing : std::uint8_t { kNone, kFront, kBack };
 /// Why an annotated parameter shows no handle. Out of view, or occluded: what it measures is so as a whole, or in part, and its line would run across others.
 enum class HiddenReason : std::uint8_t { kOccluded, kOutOfView, kTooShort, kForeshortened, kCrowded, kNoScope };
 
-/// What makes a candidate the same one in two frames (DESIGN.md section 4): for damping, animation and hysteresis. Of a handle that is no line, `plane` is the direction in which it
+/// What makes a candidate the same one in two frames: for damping, animation and hysteresis. Of a handle that is no line, `plane` is the direction in which it
 /// stands off its anchor, or in which an arc opens; `baseLine` and `direction` mean nothing.
 struct Identity {
   std::int32_t parameter = -1;
@@ -129,7 +129,7 @@ struct HiddenParameter {
   HiddenReason reason = HiddenReason::kNoScope;
 };
 
-/// The plain-data result of one frame (DESIGN.md sections 2 and 6). Every annotated parameter is in exactly one of lines, others and hidden; the
+/// The plain-data result of one frame. Every annotated parameter is in exactly one of lines, others and hidden; the
 /// members of a chain are several lines of one parameter.
 struct Layout {
   View view;
@@ -139,7 +139,7 @@ struct Layout {
   std::vector<std::size_t> visibleScopes;   ///< indices into Scene::scopes
 };
 
-/// As the JSON spells them (DESIGN.md section 6).
+/// As the JSON spells them.
 std::string_view name(PlacementKind kind);
 std::string_view name(PlaneKind kind);
 std::string_view name(Facing facing);

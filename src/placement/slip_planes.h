@@ -29,7 +29,7 @@ struct ObjectPlanesInFrame {
   double toleranceM = 0;   ///< kSamePlaneDistance of the model's size
 };
 
-/// Writes the planes of a base line (DESIGN.md section 4, "Planes") to `planes`, in place of what was there.
+/// Writes the planes of a base line to `planes`, in place of what was there.
 ///
 /// scope: those through the line along each of the scope's other axes. The normal is the outward normal of the face the plane lies in, and through the
 /// middle the one towards the viewer; the spherical types have none and take the billboard's. billboard: one, holding the line, as square to

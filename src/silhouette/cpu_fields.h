@@ -8,7 +8,7 @@
 
 namespace dimline {
 
-/// Measures the four fields on the CPU (DESIGN.md section 5): vertices are projected, edges between a front and a
+/// Measures the four fields on the CPU: vertices are projected, edges between a front and a
 /// back face (and borders) are scanned into row and column extremes. No fill: a 1-D field only wants extremes. Where
 /// the model leaves the viewport or passes the near plane, the faces that cross are cut there, so that a field is 0
 /// wherever the silhouette touches its edge. Exact in real-valued screen space: each strip has the extreme of the

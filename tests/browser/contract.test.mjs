@@ -1,4 +1,4 @@
-// The page's contract with scripts and hosts (DESIGN.md section 7), in the page as it ships.
+// The page's contract with scripts and hosts, in the page as it ships.
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import {

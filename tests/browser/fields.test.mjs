@@ -1,4 +1,4 @@
-// The two producers of the fields in the page: what WebGL measures against what the CPU does (DESIGN.md section 5).
+// The two producers of the fields in the page: what WebGL measures against what the CPU does.
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import { covered, nativeLayout } from "./support/native.mjs";

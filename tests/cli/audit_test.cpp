@@ -3,7 +3,7 @@
 #include "cli/audit_run.h"
 #include "cli/audit_stage.h"
 
-// A case for each row of DESIGN.md section 8's first table: a layout that breaks it, and one that just does not.
+// A case for each AuditRow: a layout that breaks it, and one that just does not.
 
 namespace dimline::test {
 namespace {

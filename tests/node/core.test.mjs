@@ -38,7 +38,7 @@ const apart = (a, b) => [a[0] - b[0], a[1] - b[1]];
 // As in core/constants.h: so far an extension line may be moved aside that would lie on another line.
 const kExtensionAsidePx = 4;
 
-/** DESIGN.md section 6, field by field. */
+/** The frame as web/dimline_editor.d.ts declares it, field by field. */
 function checkFrame(frame, parameterNames) {
   assert.deepEqual(Object.keys(frame).sort(), ["hidden", "lines", "others", "projection", "size", "view", "visible"]);
   assert.ok(isPoint(frame.size, 2) && isPoint(frame.view, 16) && isPoint(frame.projection, 16));
