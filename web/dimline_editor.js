@@ -250,7 +250,10 @@ export class DimlineEditor extends Base {
     this.#showHidden();
   }
 
-  /** Marks the line of a parameter and what it drives, as a mouse on it would, for a control outside the picture that sets it; null for none. */
+  /**
+   * Marks the line of a parameter and what it drives, as a mouse on it would, for a control outside the picture that sets it; until another call, or until a
+   * mouse is moved over the picture. Null for none.
+   */
   pointAt(name) {
     this.#overlay?.pointAt(name);
   }

@@ -16,11 +16,12 @@ export function isTyped(event) {
  * @param {() => void} peek shows hidden lines until the key is let go
  */
 export function commandOf(event, editor, peek) {
-  if (event.altKey) return null;
+  const step = travelOf(event);
+  if (step) return () => editor[step]();
+  if (event.altKey || event.ctrlKey || event.metaKey) return null;
+  const command = plainKeyOf(event, editor, peek);
   // What moves the picture or the lines under a hand that drags waits until it lets go; undo takes the drag back.
-  const dragging = editor.gestures.length > 0;
-  if (dragging && !(event.ctrlKey || event.metaKey)) return plainKeyOf(event, editor, peek) ? () => {} : null;
-  return event.ctrlKey || event.metaKey ? chordOf(event, editor) : plainKeyOf(event, editor, peek);
+  return command && editor.gestures.length > 0 ? () => {} : command;
 }
 
 function plainKeyOf(event, editor, peek) {
@@ -31,11 +32,6 @@ function plainKeyOf(event, editor, peek) {
   if (event.key === "5") return () => (editor.orthographic = !editor.orthographic);
   const view = kViewKeys[event.key];
   return view && (() => editor.setView(view));
-}
-
-function chordOf(event, editor) {
-  const step = travelOf(event);
-  return step && (() => editor[step]());
 }
 
 /** The step through the history, "undo" or "redo", that a pressed key stands for; null for none. */

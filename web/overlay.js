@@ -131,15 +131,16 @@ export class Overlay {
     this.#empty = empty;
   }
 
-  /** The mouse is in use: what it points at shall be marked, and not what has the focus; false for the line whose value is being typed, which stays marked. */
+  /** The mouse is in use: what it points at shall be marked, and not what has the focus or what pointAt() has named; false for the line whose value is being typed, which stays marked. */
   pointed() {
     if (this.#field.name !== null) return false;
     this.#byKeys = false;
+    this.#pointedAt = null;
     this.#marked = "";
     return true;
   }
 
-  /** Marks a parameter's line as if it had the focus; null for none. */
+  /** Marks a parameter's line as if it had the focus, until the mouse points at the picture itself; null for none. */
   pointAt(name) {
     this.#pointedAt = name;
     this.#host.changed();

@@ -212,10 +212,14 @@ function makeNumber(parameter, id, helpId, host) {
     range.setAttribute("aria-valuetext", `${text} ${unit}`.trim());
     range.style.setProperty("--share", max > min ? (shown.value - min) / (max - min) : 0);
   };
+  // As it stands in the field it may be rounded: it is the value that is there already.
+  const isAsShown = () => input.value === numberText(now.value, decimals, host.mark());
   const take = () => {
     if (input.value.trim() === "") return host.refresh(name);
-    // As it stands in the field it may be rounded: it is the value that is there already.
-    if (input.value === numberText(now.value, decimals, host.mark())) return input.ariaInvalid === "true" && complain("");
+    if (isAsShown()) {
+      if (input.ariaInvalid === "true") complain(""); // what was wrong is gone; what was said of a value stays
+      return;
+    }
     let value;
     try {
       value = host.read(name, input.value);
@@ -236,7 +240,7 @@ function makeNumber(parameter, id, helpId, host) {
       input.select();
     } else if (event.key === "Escape") {
       host.refresh(name);
-    } else if (travelOf(event) && input.value === numberText(now.value, decimals, host.mark())) {
+    } else if (travelOf(event) && isAsShown()) {
       // Nothing is typed that the browser could take back.
       event.preventDefault();
       host.travel(travelOf(event));

@@ -118,9 +118,8 @@ Result<std::vector<std::pair<std::size_t, double>>> readValues(std::span<const P
   for (const auto& [name, value] : parsed->items()) {
     const auto index = findParameter(parameters, name);
     if (!index) {
-      std::vector<std::string_view> names;
-      for (const Parameter& parameter : parameters) names.push_back(parameter.name);
-      return Error{"There is no parameter " + inQuotes(name) + (names.empty() ? std::string("; no model is shown yet.") : "; this model has " + joined(names) + ".")};
+      const std::string instead = parameters.empty() ? "no model is shown yet" : "this model has " + namesOf(parameters);
+      return Error{"There is no parameter " + inQuotes(name) + "; " + instead + "."};
     }
     const auto number = valueFrom(parameters[*index], value);
     if (!number) return number.error();

@@ -22,11 +22,7 @@ Result<Values> valuesOf(const Model& model, const Assignments& assignments) {
   Values values(parameters);
   for (const auto& [name, text] : assignments) {
     const auto index = findParameter(parameters, name);
-    if (!index) {
-      std::vector<std::string_view> names;
-      for (const Parameter& parameter : parameters) names.push_back(parameter.name);
-      return Error{"The model has no parameter " + inQuotes(name) + "; it has " + joined(names) + "."};
-    }
+    if (!index) return Error{"The model has no parameter " + inQuotes(name) + "; it has " + namesOf(parameters) + "."};
     const auto value = parseValue(parameters[*index], text);
     if (!value) return value.error();
     values.set(*index, *value);

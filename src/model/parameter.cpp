@@ -122,6 +122,12 @@ std::optional<std::size_t> findParameter(std::span<const Parameter> parameters, 
   return std::nullopt;
 }
 
+std::string namesOf(std::span<const Parameter> parameters) {
+  std::vector<std::string_view> names;
+  for (const Parameter& parameter : parameters) names.push_back(parameter.name);
+  return joined(names);
+}
+
 double clampValue(const Parameter& parameter, double value) {
   if (std::isnan(value)) return parameter.defaultValue;
   const Range range = rangeOf(parameter);

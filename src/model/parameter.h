@@ -54,6 +54,8 @@ class Values {
 
 /// Index of the parameter with that name, or nothing.
 std::optional<std::size_t> findParameter(std::span<const Parameter> parameters, std::string_view name);
+/// Their names for a sentence, "Width, Depth and Floors".
+std::string namesOf(std::span<const Parameter> parameters);
 
 /// The nearest value that the parameter allows: into [min, max], whole for counts, choices and booleans; NaN gives the default.
 /// Does not round floats to the step.

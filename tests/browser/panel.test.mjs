@@ -1,6 +1,7 @@
 // The page around the picture: the panel's form controls, the toolbar, and how it fits small and large windows.
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
+import { labelOf } from "./support/handles.mjs";
 import { call, launch, layoutOf, openPage, pictureBox, ready, screenshot, settle, valueOf } from "./support/page.mjs";
 import { colourStatistics, decodePng } from "./support/png.mjs";
 
@@ -167,6 +168,10 @@ test("the row under the mouse, or else the one in use, marks its line in the pic
   assert.deepEqual(await marked(), ["Depth"]);
   await page.mouse.move(5, 5);
   assert.deepEqual(await marked(), ["Width"]);
+  // In the picture the mouse points for itself, though the row is still in use.
+  await page.mouse.move(...(await labelOf(page, "Floors")));
+  assert.deepEqual(await marked(), ["Number of floors"]);
+  await page.mouse.move(5, 5);
   await page.evaluate(() => document.activeElement.blur());
   assert.deepEqual(await marked(), []);
 });
