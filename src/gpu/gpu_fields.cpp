@@ -57,16 +57,17 @@ void GpuFields::resize(int width, int height) {
     glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, made.texture.id(), 0);
     return made;
   };
-  // R8 and RG16UI are drawable in every OpenGL ES 3.0 and WebGL 2.
+  // All of these are drawable in every OpenGL ES 3.0 and WebGL 2. What is read back lies there as it is read: where a driver has to convert it, it waits for the GPU.
+  const auto formatOf = [](int left) { return left == 1 ? GL_RGBA32UI : GL_RG16UI; };
   mask_ = target(GL_R8, width, height);
   rowSteps_.clear();
   columnSteps_.clear();
   for (int w = stepped(width);; w = stepped(w)) {
-    rowSteps_.push_back(target(GL_RG16UI, w, height));
+    rowSteps_.push_back(target(formatOf(w), w, height));
     if (w == 1) break;
   }
   for (int h = stepped(height);; h = stepped(h)) {
-    columnSteps_.push_back(target(GL_RG16UI, width, h));
+    columnSteps_.push_back(target(formatOf(h), width, h));
     if (h == 1) break;
   }
 }

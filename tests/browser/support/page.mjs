@@ -47,8 +47,16 @@ export async function withBrowser(body, moreArguments) {
   }
 }
 
-/** In a tab that nobody looks at: WebGL draws nothing, as if a graphics card were done at once. Everything else is as ever. */
+/**
+ * In a tab that nobody looks at: WebGL draws nothing, as if a graphics card were done at once. Everything else is as ever, but that it calls itself software, as
+ * which it has nothing measured by what it draws: on a graphics card too the core would measure an empty picture otherwise.
+ */
 function drawNothing() {
+  const { getParameter } = WebGL2RenderingContext.prototype;
+  const names = [WebGL2RenderingContext.RENDERER, 0x9246 /* UNMASKED_RENDERER_WEBGL */];
+  WebGL2RenderingContext.prototype.getParameter = function (name) {
+    return names.includes(name) ? "software that draws nothing" : getParameter.call(this, name);
+  };
   for (const name of ["drawArrays", "drawElements", "drawElementsInstanced", "clear", "blitFramebuffer", "generateMipmap"]) {
     WebGL2RenderingContext.prototype[name] = () => {};
   }
