@@ -32,14 +32,14 @@ inline constexpr double kMinLineLengthPx = 8.0;
 
 /// rad. A base line within this of the view direction is hidden, "foreshortened": on screen it says nothing about its length,
 /// and a drag of a pixel would be a leap.
-inline constexpr double kForeshortenedAngleRad = 0.15;
+inline constexpr double kForeshortenedAngleRad = 0.165;
 
 /// How many times as far from the viewer as its base line a line may lie in perspective, and so how much smaller it may be drawn. Larger: from near by, lines lie far behind what they measure,
 /// and 34 m is drawn shorter than 19 m beside it. Smaller: more lines have no place but on the model.
 inline constexpr double kMostDepthRatio = 2.5;
 
 /// A line hidden as too short or foreshortened is shown again when it passes the threshold by this factor, so that it does not come and go at its edge.
-inline constexpr double kShowAgainFactor = 1.2;
+inline constexpr double kShowAgainFactor = 1.18;
 
 /// px. While all is shown, a line must still have a direction on screen.
 inline constexpr double kShowAllLengthPx = 1.5;
@@ -110,15 +110,16 @@ inline constexpr int kReturnFrames = 20;
 
 /// Beyond the paper (placement/mending.h): what each line that changes its place costs an attempt to mend a frame; a leap counts as so many changes, and going back to what was left within
 /// kReturnFrames as so many more. Less: lines change places for a small gain. More: what is amiss stays until a place is lost.
-inline constexpr double kScoreChange = -13.0 * kHandleSpacingPx;
+inline constexpr double kScoreChange = -24.0 * kHandleSpacingPx;
 inline constexpr double kChangesOfLeap = 3.5;
 inline constexpr double kChangesOfReturn = 8.0;
 /// The price of a change, as a share, where it leaves no line at all that runs across another's extension line, since a picture without is read at a glance. Less: more such pictures, and more changes. For the last
 /// of them alone: at a low price for all, lines change places without end where they are so crowded that some stay in each other's way.
 inline constexpr double kChangeShareToUntangle = 0.4;
 /// What it costs there that a line runs across another's extension line, that a longer line lies nearer to the model than a shorter one beside it, and that a line is inside
-/// the model. A change costs once, these as long as they last, so each is worth a change or more; in px it is how far lines go for it.
-inline constexpr double kScoreTangle = -18.0 * kHandleSpacingPx;
+/// the model. A change costs once, these as long as they last, so each that lasts is worth a change or more; in px it is how far lines go for it. The first counts once more at each look ahead (placement/foresight.h)
+/// at which it will be, in equal steps less at later ones.
+inline constexpr double kScoreTangle = -20.0 * kHandleSpacingPx;
 inline constexpr double kScoreNestedWrongly = -40.0 * kHandleSpacingPx;
 inline constexpr double kScoreInside = -40.0 * kHandleSpacingPx;
 /// The first two cost by so much more while the camera comes nearer or goes away: what is amiss lasts long then, and lines move for other reasons anyway. Less: it lasts while the picture grows. More: more
@@ -137,15 +138,12 @@ inline constexpr double kScoreFromBehindModel = -5.0 * kHandleSpacingPx;
 /// goes from one to the next as they come into view.
 inline constexpr double kScoreHiddenScope = -10.0 * kHandleSpacingPx;
 /// Attempts at a moved frame in which a line looks for another place, each about as long as placing it; one in another order comes on top. More find more and cost more.
-inline constexpr int kMendingAttempts = 2;
+inline constexpr int kMendingAttempts = 3;
 /// One in so many attempts in another order goes back to the shortest first. Fewer: an order of long ago stays when it no longer helps. More: it costs time.
 inline constexpr int kShortestFirstEvery = 3;
-/// Attempts more at a frame in which no more than so many lines run across others' extension lines, each drawn at random: who looks for another place, and the order, in which at most so many lines come
-/// before a shorter one. More of them while the camera comes nearer or goes away, when such lines are most and last longest. More attempts: a tenth fewer such lines for twice as many, frames with one cost
-/// more, and while the view only turns more lines change places. More lines: where it is crowded each frame is placed many times, for little.
-inline constexpr int kShuffles = 4;
-inline constexpr int kShufflesZooming = 8;
-inline constexpr int kMostTanglesToShuffle = 2;
+/// Attempts more at a frame in which lines run across others' extension lines, each drawn at random: who looks for another place, and the order, in which at most so many lines come before a shorter one. Fewer: more
+/// such lines, which stay for longer. More: a tenth fewer of them for twice as many; each takes a frame with such lines about as long as placing it.
+inline constexpr int kShuffles = 16;
 inline constexpr std::size_t kMostPuts = 3;
 /// How often a first picture is placed, the second time with a view to what was placed in the first. More: fewer lines across others' extension lines, and fewer of those through numbers; it takes longer.
 inline constexpr int kFirstPictureRounds = 2;

@@ -37,6 +37,11 @@ class Foresight {
     bool shortSoon = false;    ///< while the camera goes away: it is too short to be shown so soon that it is not worth being shown anew (kLooksAtLastMomentsShort)
     bool lastMoments = false;  ///< while the camera comes nearer or goes away: there is room for it so briefly that it is not worth being begun (kLooksAtLastMoments)
   };
+  /// At how many views ahead a place is looked at, and these, the nearest first.
+  [[nodiscard]] std::size_t lookCount() const { return lookCount_; }
+  [[nodiscard]] const View& viewAhead(std::size_t look) const { return looks_[look].view; }
+  /// 1 for what is at the first look, in equal steps less for later ones, 0 for what is beyond the last.
+  [[nodiscard]] double shareLeft(std::size_t look) const { return lookCount_ > 0 ? static_cast<double>(lookCount_ - look) / static_cast<double>(lookCount_) : 0.0; }
   /// Whether the camera comes nearer or goes away.
   [[nodiscard]] bool zooms() const { return lookCount_ > 0 && zooms_; }
   /// Whether the camera comes nearer.
@@ -59,8 +64,6 @@ class Foresight {
   [[nodiscard]] std::size_t firstLook(Lost lost) const;
   [[nodiscard]] std::size_t firstLookWithout(const Segment& base, double leastPx) const;
   [[nodiscard]] bool isShortSoon(std::size_t gone) const { return zooms() && !nears_ && gone < kLooksAtLastMomentsShort; }
-  /// 1 for what is lost at the first look, in equal steps less for later ones, 0 for what is not.
-  [[nodiscard]] double shareLeft(std::size_t look) const { return lookCount_ > 0 ? static_cast<double>(lookCount_ - look) / static_cast<double>(lookCount_) : 0.0; }
 
   std::vector<Look> looks_;         ///< the nearest first; memory for more than there are
   std::size_t lookCount_ = 0;       ///< none when no movement is thought to go on

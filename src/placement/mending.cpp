@@ -1,5 +1,7 @@
 #include "placement/mending.h"
 
+#include <algorithm>
+#include <span>
 #include <utility>
 
 #include "core/constants.h"
@@ -31,6 +33,7 @@ void Outcome::begin(std::size_t ranks, bool zoomsNow) {
   outside.assign(ranks, 0);
   amiss.assign(ranks, 0);
   tangles = nestedWrongly = 0;
+  tanglesAhead = 0;
   tangled.clear();
   tangled.reserve(ranks);
 }
@@ -43,12 +46,15 @@ bool Outcome::betterThan(const Outcome& other) const {
   const bool untangles = (tangles == 0) != (other.tangles == 0);
   const double changePx = kScoreChange * (untangles ? kChangeShareToUntangle : 1.0);
   const double returnPx = kScoreChange * kChangesOfReturn;
-  return worth - other.worth + amissPx(*this) - amissPx(other) + changePx * (changes - other.changes) + returnPx * (returns - other.returns) > kLeastGainPx;
+  // For what is only ahead no more lines change: it may never come.
+  double aheadPx = factor * kScoreTangle * (tanglesAhead - other.tanglesAhead);
+  const bool changesForIt = aheadPx > 0 ? changes > other.changes && tangles >= other.tangles : changes < other.changes && tangles <= other.tangles;
+  if (changesForIt) aheadPx = 0;
+  return worth - other.worth + amissPx(*this) - amissPx(other) + aheadPx + changePx * (changes - other.changes) + returnPx * (returns - other.returns) > kLeastGainPx;
 }
 
 void Mending::begin() {
   looks_ = 0;
-  first_.reset();
   ordered_ = false;
   shuffles_ = 0;
   ++frames_;
@@ -62,26 +68,30 @@ std::optional<Attempt> Mending::next(const Outcome& outcome, bool shortestFirst)
   if (!std::exchange(ordered_, true)) {
     if (const auto order = nextOrder(outcome, shortestFirst)) return order;
   }
-  if (shuffles_ == (outcome.zooms ? kShufflesZooming : kShuffles) || outcome.tangled.empty() || outcome.tangles > kMostTanglesToShuffle) return std::nullopt;
+  if (shuffles_ == kShuffles || outcome.tangled.empty()) return std::nullopt;
   ++shuffles_;
   return shuffle(outcome);
 }
 
 std::optional<std::size_t> Mending::nextToLook(const Outcome& outcome) {
   const std::size_t ranks = outcome.outside.size();
-  const auto outsideAnd = [&](const std::vector<char>& flags) { return [&](std::size_t rank) { return outcome.outside[rank] != 0 && flags[rank] != 0; }; };
-  if (looks_++ == 0) {
-    std::size_t last = ranks - 1;   // the shortest of them comes first
-    first_ = nextInTurn(ranks, last, outsideAnd(outcome.changed));
-    if (!first_ && frames_ >= kFramesToLookAround) {
-      frames_ = 0;
-      first_ = nextInTurn(ranks, lastOfAll_, outsideAnd(outcome.outside));
-    }
-    if (!first_) first_ = nextInTurn(ranks, lastAmiss_, outsideAnd(outcome.amiss));
-    return first_;
-  }
   // Nobody twice: what was not found in the first attempt is not found in the second.
-  return nextInTurn(ranks, lastAmiss_, [&](std::size_t rank) { return rank != first_ && outcome.outside[rank] != 0 && outcome.amiss[rank] != 0; });
+  const std::span looked(looked_.begin(), static_cast<std::size_t>(looks_));
+  const auto outsideAnd = [&](const std::vector<char>& flags) {
+    return [&](std::size_t rank) { return outcome.outside[rank] != 0 && flags[rank] != 0 && std::ranges::find(looked, rank) == looked.end(); };
+  };
+  std::optional<std::size_t> found;
+  if (looks_ == 0) {
+    std::size_t last = ranks - 1;   // the shortest of them comes first
+    found = nextInTurn(ranks, last, outsideAnd(outcome.changed));
+    if (!found && frames_ >= kFramesToLookAround) {
+      frames_ = 0;
+      found = nextInTurn(ranks, lastOfAll_, outsideAnd(outcome.outside));
+    }
+  }
+  if (!found) found = nextInTurn(ranks, lastAmiss_, outsideAnd(outcome.amiss));
+  if (found) looked_[static_cast<std::size_t>(looks_++)] = *found;
+  return found;
 }
 
 std::optional<Attempt> Mending::nextOrder(const Outcome& outcome, bool shortestFirst) {

@@ -19,6 +19,7 @@ struct Outcome {
   int returns = 0;              ///< how many of them went back to what they had left lately
   std::size_t returned = 0;     ///< the rank of the last of those
   int tangles = 0;              ///< how many lines run across another's extension line
+  double tanglesAhead = 0;      ///< how many will when the camera goes on as it does (Foresight): at each look one, the nearer the look the more of one
   int nestedWrongly = 0;        ///< how many lines have a shorter one outside, or a longer one within
   std::vector<char> changed;    ///< one a rank: it is among those
   std::vector<char> outside;    ///< one a rank: it has a place outside the model
@@ -56,7 +57,7 @@ class Mending {
   /// What is to be tried next, nothing when that was all. `outcome`: of the best attempt so far; `shortestFirst`: whether it placed the shortest lines first.
   /// First one line looks for another place: one that has just changed its place, since what pushed it may have a better place as well, or else, every kFramesToLookAround frames, any; otherwise
   /// those with which something is amiss, in turns. Then a line that went back to what it had left lately comes before who else has changed its place; or else, of two lines that are in a tangle,
-  /// the later one comes first, in turns; or, now and then, the shortest first again, if it is not so. Where few are in a tangle kShuffles attempts at random, or kShufflesZooming, come last: of what
+  /// the later one comes first, in turns; or, now and then, the shortest first again, if it is not so. Where any are in a tangle kShuffles attempts at random come last: of what
   /// those in turns do not find they find as much as any other rule did, and they do not try the same in every frame.
   std::optional<Attempt> next(const Outcome& outcome, bool shortestFirst);
 
@@ -68,7 +69,7 @@ class Mending {
 
   // At this frame so far.
   int looks_ = 0;
-  std::optional<std::size_t> first_;   ///< who looked first
+  std::array<std::size_t, kMendingAttempts> looked_{};   ///< who looked, so many
   bool ordered_ = false;               ///< another order was asked for
   int shuffles_ = 0;
 

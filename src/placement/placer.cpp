@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/sort_keys.h"
+#include "placement/on_screen.h"
 #include "placement/placer_state.h"
 
 // What is known from frame to frame, and how often a frame is placed: while only the camera moves, lines keep their places and what can be done better is mended little by little (mending.h);
@@ -198,13 +199,16 @@ void Placer::State::placeOnce(const FrameToPlace& frame, bool sceneChanged, bool
 void Placer::State::mend(const FrameToPlace& frame, Layout& layout) {
   Mending mending = past.mending;
   mending.begin();
-  while (const auto attempt = mending.next(outcome, past.placingOrder.isShortestFirst())) {
+  auto attempt = mending.next(outcome, past.placingOrder.isShortestFirst());
+  if (attempt) outcome.tanglesAhead = tanglesAhead(layout.lines);
+  for (; attempt; attempt = mending.next(outcome, past.placingOrder.isShortestFirst())) {
     if (attempt->looks) avoided = {*attempt->looks, past.histories[order[*attempt->looks].parameter].last()};
     beginAttempt(layout);
     if (attempt->shortestFirst) past.placingOrder.forget();
     for (const auto& [rank, before] : std::span(attempt->puts).first(attempt->putCount)) past.placingOrder.put(rank, before);
     past.lookAhead.project(order, past.placingOrder.ranks(), frame.view, frame.fields);
     placeWithRoom(frame, layout);
+    outcome.tanglesAhead = tanglesAhead(layout.lines);
     avoided.reset();
     // One that has no other place outside would be back in its own in the next frame.
     const bool hasNone = attempt->looks && outcome.outside[*attempt->looks] == 0;
@@ -212,6 +216,23 @@ void Placer::State::mend(const FrameToPlace& frame, Layout& layout) {
     if (hasNone || !wins) swapWithBest(layout);
   }
   past.mending = mending;
+}
+
+/// How many lines will run across another's extension line, had each kept its place in the world: see Outcome. Those that leave the picture are in nobody's way.
+double Placer::State::tanglesAhead(std::span<const PlacedLine> lines) {
+  double tangles = 0;
+  for (std::size_t look = 0; look < foresight.lookCount(); ++look) {
+    const View& view = foresight.viewAhead(look);
+    landedAhead.clear();
+    for (const PlacedLine& placed : lines) {
+      const auto line = placed.placement == PlacementKind::kInside ? std::nullopt : onScreen(placed.line, view);
+      if (!line || !view.inFrontOfNear(placed.base.start) || !view.inFrontOfNear(placed.base.end)) continue;
+      const Segment2 base = view.toScreen(placed.base), foot = view.toScreen(placed.foot);
+      tangles += foresight.shareLeft(look) * landedAhead.tangle(*line, extensionParts(base, foot, *line)).lines;
+      landedAhead.add(base, foot, *line);
+    }
+  }
+  return tangles;
 }
 
 /// What was placed is the best so far, and all but its order is again as it was before.

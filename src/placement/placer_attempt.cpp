@@ -74,7 +74,7 @@ void recycle(std::vector<Thing>& list, std::vector<Thing>& spare, std::size_t mo
 bool Placer::State::placeAllLines(const FrameToPlace& frame, std::size_t crowded, Layout& layout) {
   const auto& [view, fields, values, held, viewMoved] = frame;
   recycle(layout.lines, spareLines, mostLines);
-  spareHandles.reserve(others.size());
+  spareHandles.reserve(2 * others.size());   // as recycle() keeps
   recycle(layout.others, spareHandles, others.size());
   layout.others.reserve(others.size());   // however many of them found no place until now
   layout.hidden.clear();

@@ -91,6 +91,7 @@ struct Placer::State {
   Occupied occupied;
   Chooser chooser;
   Foresight foresight;
+  Landed landedAhead;                 ///< the lines as one look ahead sees them
   std::vector<ObjectPlaneUse> objectPlaneUses;
   std::vector<char> inView;           ///< one a scope
   std::vector<char> seen;             ///< one a scope: in view, and not hidden by the model
@@ -112,6 +113,7 @@ struct Placer::State {
   void findVisible(const View& view, const ScopeVisibility* visibility, int framesOn);
   void placeOnce(const FrameToPlace& frame, bool sceneChanged, bool shown, Layout& layout);
   void mend(const FrameToPlace& frame, Layout& layout);
+  [[nodiscard]] double tanglesAhead(std::span<const PlacedLine> lines);
   void beginAttempt(Layout& layout);
   void swapWithBest(Layout& layout);
   void placeWithRoom(const FrameToPlace& frame, Layout& layout);
