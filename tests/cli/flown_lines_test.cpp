@@ -1,5 +1,6 @@
 #include <catch2/catch.hpp>
 #include <sstream>
+#include <vector>
 
 #include "cli/audit_flight.h"
 #include "cli/audit_geometry.h"
@@ -21,23 +22,30 @@ bool crossesExtension(const Layout& layout, const PlacedLine& line) {
   return false;
 }
 
-/// Of all lines in a flight's frames, the share that runs across another's extension line.
-double crossingShare(std::string_view name, std::uint64_t flight) {
+/// Of all lines in the frames of some flights, the share that runs across another's extension line. `flightsOf(bounds)`: the flights.
+template <typename FlightsOf>
+double crossingShareOf(std::string_view name, FlightsOf flightsOf) {
   std::ostringstream errors;
   const auto model = loadModel(name, errors);
   REQUIRE(model);
   const Values values(model->parameters());
   const Scene scene = model->definition.build(values);
-  AuditTally tally;
-  const FlownFlight flown = fly(*model, scene, values, randomFlight(scene.bounds, flight), tally);
   std::size_t lines = 0;
   std::size_t crossing = 0;
-  for (const Layout& layout : flown.layouts) {
-    lines += layout.lines.size();
-    crossing += static_cast<std::size_t>(std::ranges::count_if(layout.lines, [&](const PlacedLine& line) { return crossesExtension(layout, line); }));
+  for (const Flight& flight : flightsOf(scene.bounds)) {
+    AuditTally tally;
+    const FlownFlight flown = fly(*model, scene, values, flight, tally);
+    for (const Layout& layout : flown.layouts) {
+      lines += layout.lines.size();
+      crossing += static_cast<std::size_t>(std::ranges::count_if(layout.lines, [&](const PlacedLine& line) { return crossesExtension(layout, line); }));
+    }
   }
   REQUIRE(lines > 500);
   return static_cast<double>(crossing) / static_cast<double>(lines);
+}
+
+double crossingShare(std::string_view name, std::uint64_t flight) {
+  return crossingShareOf(name, [&](const Bounds& bounds) { return std::vector{randomFlight(bounds, flight)}; });
 }
 
 }  // namespace
@@ -53,3 +61,8 @@ TEST_CASE("in flights, lines that would run across others' extension lines are p
 
 // Where features that are mostly hidden, or partly out of the picture, get lines all the same, it is 3.3 %.
 TEST_CASE("in flights, what is seen in part is not measured across others' extension lines") { CHECK(crossingShare("omni-tree", 1) < 0.02); }
+
+// Where each frame is mended without a look at those ahead it is 2.4 to 3.5 %, as chance has it; with it 1.1 to 2.0 %.
+TEST_CASE("in orbits of a crowded model, lines go where the movement does not bring them across others' extension lines at once") {
+  CHECK(crossingShareOf("boat", [](const Bounds& bounds) { return std::vector{orbit(bounds, 10, 1, 1000, 1000), orbit(bounds, 30, 1, 1000, 1000), orbit(bounds, 60, 1, 1000, 1000)}; }) < 0.022);
+}
