@@ -18,7 +18,7 @@ void addEdges(const Obb& box, const View& view, const ScopeMark& mark, std::vect
       Vec3 to = from;
       to[axis] = 1;
       const Segment edge{box.at(from), box.at(to)};
-      if (!view.inFrontOfNear(edge.start) || !view.inFrontOfNear(edge.end)) continue;
+      if (!view.inFrontOfNear(edge)) continue;
       edges.push_back({view.toScreen(edge), endDepths(edge, view, mark.skinM), mark.shownHidden, mark.opacity});
     }
   }

@@ -213,7 +213,7 @@ private:
   void addLine(std::size_t i, Layout& layout) const {
     const PlacedLine& fixed = first_.lines[i];
     const auto before = [&](const Segment& s) {
-      return layout.view.inFrontOfNear(s.start) && layout.view.inFrontOfNear(s.end);
+      return layout.view.inFrontOfNear(s);
     };
     if (!before(fixed.line) || !before(fixed.base)) return;
     PlacedLine& line = layout.lines.emplace_back(fixed);

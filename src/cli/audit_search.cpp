@@ -34,7 +34,7 @@ bool contains(const Box2& box, const Segment2& s) { return contains(box, s.start
 
 /// The segment on screen, or nothing when part of it is not before the viewer.
 std::optional<Segment2> project(const View& view, const Segment& s) {
-  if (!view.inFrontOfNear(s.start) || !view.inFrontOfNear(s.end)) return std::nullopt;
+  if (!view.inFrontOfNear(s)) return std::nullopt;
   return view.toScreen(s);
 }
 

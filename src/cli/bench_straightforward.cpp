@@ -98,7 +98,7 @@ double Straightforward::leastOffsetM(const Slide& slide, const View& view) const
 }
 
 void Straightforward::placeLine(const BaseLine& line, Slip slip, bool chain, const View& view, Frame& frame) {
-  if (!view.inFrontOfNear(line.segment.start) || !view.inFrontOfNear(line.segment.end)) return;
+  if (!view.inFrontOfNear(line.segment)) return;
   slipPlanes(line, slip, view, {}, planes_);
   for (const SlipPlane& plane : planes_) {
     for (const double direction : {1.0, -1.0}) {

@@ -142,7 +142,7 @@ inline constexpr int kMendingAttempts = 3;
 /// One in so many attempts in another order goes back to the shortest first. Fewer: an order of long ago stays when it no longer helps. More: it costs time.
 inline constexpr int kShortestFirstEvery = 3;
 /// Attempts more at a frame in which lines run across others' extension lines, each drawn at random: who looks for another place, and the order, in which at most so many lines come before a shorter one. Fewer: more
-/// such lines, which stay for longer. More: a tenth fewer of them for twice as many; each takes a frame with such lines about as long as placing it.
+/// such lines, which stay for longer. More: a tenth fewer of them for twice as many; each costs a frame with such lines about as much time as placing it.
 inline constexpr int kShuffles = 16;
 inline constexpr std::size_t kMostPuts = 3;
 /// How often a first picture is placed, the second time with a view to what was placed in the first. More: fewer lines across others' extension lines, and fewer of those through numbers; it takes longer.

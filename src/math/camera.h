@@ -59,6 +59,8 @@ class View {
   /// The depth (m) that has that window depth.
   [[nodiscard]] double depthFromWindow(double windowDepth) const;
   [[nodiscard]] bool inFrontOfNear(const Vec3& p) const { return depth(p) >= nearM_; }
+  /// All of it.
+  [[nodiscard]] bool inFrontOfNear(const Segment& s) const { return inFrontOfNear(s.start) && inFrontOfNear(s.end); }
   /// Unit direction from the viewer to a point (constant when orthographic).
   [[nodiscard]] Vec3 directionTo(const Vec3& p) const;
 

@@ -189,7 +189,7 @@ void gatherBaseLines(const Annotation& annotation, const Scope& scope, std::size
   const BaseSegments segments = baseSegments(annotation, scope.box, view);
   for (std::size_t i = 0; i < segments.size(); ++i) {
     const Segment& s = segments[i];
-    if (!view.inFrontOfNear(s.start) || !view.inFrontOfNear(s.end)) {
+    if (!view.inFrontOfNear(s)) {
       ++tally.outOfView;
       continue;
     }
@@ -213,7 +213,7 @@ void gatherBaseLines(const Annotation& annotation, const Scope& scope, std::size
 void gatherChainBaseLines(const Cluster& cluster, std::int32_t number, const View& view, std::vector<UsableBaseLine>& lines) {
   for (const int side : {0, 1}) {
     const BaseLine line = chainBaseLine(cluster, side);
-    if (!view.inFrontOfNear(line.segment.start) || !view.inFrontOfNear(line.segment.end)) continue;
+    if (!view.inFrontOfNear(line.segment)) continue;
     if (foreshortened(line.segment, view, std::cos(kForeshortenedAngleRad))) continue;
     lines.push_back({.scope = cluster.members.front().scope,
                      .scopeIndex = -1,

@@ -106,7 +106,7 @@ std::size_t Foresight::firstLook(Lost lost) const {
 /// The first look at which nothing of a base line is left in the picture, or it is shorter there than `leastPx`.
 std::size_t Foresight::firstLookWithout(const Segment& base, double leastPx) const {
   return firstLook([&](const Look& look) {
-    if (!look.view.inFrontOfNear(base.start) || !look.view.inFrontOfNear(base.end)) return true;
+    if (!look.view.inFrontOfNear(base)) return true;
     const Segment2 screen = look.view.toScreen(base);
     return !meets(screen, look.view.viewport()) || screen.length() < leastPx;
   });

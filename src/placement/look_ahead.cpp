@@ -53,18 +53,17 @@ void LookAhead::project(std::span<const Measured> lines, std::span<const std::ui
   inside_.forgetAhead(lines.size());
   free_.clear();
   inside_.present.reserve(lines.size());   // one a parameter at most, however few there were until now
-  const auto inFront = [&](const Segment& s) { return view.inFrontOfNear(s.start) && view.inFrontOfNear(s.end); };
   for (std::size_t turn = order.size(); turn-- > 0;) {
     const std::size_t rank = order[turn];
     outside_.marks[rank] = outside_.ahead.mark();
     inside_.marks[rank] = inside_.ahead.mark();
     for (const Line& l : inside_.past) {
-      if (l.parameter != lines[rank].parameter || !inFront(l.base)) continue;
+      if (l.parameter != lines[rank].parameter || !view.inFrontOfNear(l.base)) continue;
       const Segment2 base = view.toScreen(l.base);
       inside_.ahead.add(base, base, base);
     }
     for (const Line& l : outside_.past) {
-      if (l.parameter != lines[rank].parameter || !inFront(l.base) || !inFront(l.foot) || !inFront(l.line)) continue;
+      if (l.parameter != lines[rank].parameter || !view.inFrontOfNear(l.base) || !view.inFrontOfNear(l.foot) || !view.inFrontOfNear(l.line)) continue;
       const Segment2 line = view.toScreen(l.line);
       outside_.ahead.add(view.toScreen(l.base), view.toScreen(l.foot), line);
       Free& free = free_.emplace_back();

@@ -12,7 +12,7 @@ inline bool onScreen(const Box2& box, const View& view) { return view.viewport()
 
 /// A line on screen (px), when it may be a final line: in front of the near plane as a whole, and within the viewport's margin.
 inline std::optional<Segment2> onScreen(const Segment& line, const View& view) {
-  if (!view.inFrontOfNear(line.start) || !view.inFrontOfNear(line.end)) return std::nullopt;
+  if (!view.inFrontOfNear(line)) return std::nullopt;
   const Segment2 screen = view.toScreen(line);
   const Box2 allowed = view.viewport().grown(-kViewportMarginPx);
   return allowed.contains(screen.start) && allowed.contains(screen.end) ? std::optional(screen) : std::nullopt;

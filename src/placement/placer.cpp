@@ -226,7 +226,7 @@ double Placer::State::tanglesAhead(std::span<const PlacedLine> lines) {
     landedAhead.clear();
     for (const PlacedLine& placed : lines) {
       const auto line = placed.placement == PlacementKind::kInside ? std::nullopt : onScreen(placed.line, view);
-      if (!line || !view.inFrontOfNear(placed.base.start) || !view.inFrontOfNear(placed.base.end)) continue;
+      if (!line || !view.inFrontOfNear(placed.base) || !view.inFrontOfNear(placed.foot)) continue;
       const Segment2 base = view.toScreen(placed.base), foot = view.toScreen(placed.foot);
       tangles += foresight.shareLeft(look) * landedAhead.tangle(*line, extensionParts(base, foot, *line)).lines;
       landedAhead.add(base, foot, *line);

@@ -139,7 +139,7 @@ bool Trial::expandChain(const Candidate& candidate, const Measured& measured, co
   for (const std::uint32_t index : cluster.nearestFirst[static_cast<std::size_t>(candidate.identity.baseLine)]) {
     const ChainMember& m = cluster.members[index];
     if (context.usable[m.scope] == 0 || !chainStretches_.free(m.fromM, m.toM, toleranceM)) continue;
-    if (!view.inFrontOfNear(m.segment.start) || !view.inFrontOfNear(m.segment.end)) continue;
+    if (!view.inFrontOfNear(m.segment)) continue;
     const Segment line{candidate.line.start + cluster.along * m.fromM, candidate.line.start + cluster.along * m.toM};
     const Segment2 lineScreen = view.toScreen(line);
     if (lineScreen.length() < leastPx) continue;

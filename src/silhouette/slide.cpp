@@ -480,7 +480,7 @@ bool blocks(const DistanceFields& fields, ViewportEdge edge, const Vec2& p) {
 
 std::optional<Slide> Slide::make(const View& view, const Segment& base, const Vec3& across) {
   assert(std::abs(glm::length(across) - 1) < 1e-6);
-  if (!view.inFrontOfNear(base.start) || !view.inFrontOfNear(base.end)) return std::nullopt;
+  if (!view.inFrontOfNear(base)) return std::nullopt;
   const Vec3 along = base.end - base.start;
   const Vec3 normal = glm::cross(along, across);
   const double area = glm::length(normal);
