@@ -30,7 +30,7 @@ void add(Box2& box, const Box2& other) {
 
 Box2 coveredBox(const Layout& layout, const DistanceFields& fields) {
   Box2 box;
-  const auto nearest = [&](ViewportEdge edge) { return static_cast<double>(fields[edge].node(1).min); };
+  const auto nearest = [&](ViewportEdge edge) { return static_cast<double>(fields[edge].least(1)); };
   if (nearest(ViewportEdge::kLeft) < kNoSilhouette) {
     add(box, {{nearest(ViewportEdge::kLeft), nearest(ViewportEdge::kTop)},
               {fields.widthPx - nearest(ViewportEdge::kRight), fields.heightPx - nearest(ViewportEdge::kBottom)}});

@@ -143,8 +143,11 @@ inline constexpr int kMendingAttempts = 3;
 inline constexpr int kShortestFirstEvery = 3;
 /// Attempts more at a frame in which lines run across others' extension lines, each drawn at random: who looks for another place, and the order, in which at most so many lines come before a shorter one. Fewer: more
 /// such lines, which stay for longer. More: a tenth fewer of them for twice as many; each costs a frame with such lines about as much time as placing it.
-inline constexpr int kShuffles = 16;
+inline constexpr int kShuffles = 24;
 inline constexpr std::size_t kMostPuts = 3;
+/// Before so many of its lines' turns it is kept how an attempt stands, so that another one that begins likewise goes on from there; about 20 kB each in a viewport of 1000x1000. More: it takes memory. Fewer: lines are placed
+/// again that come to the same.
+inline constexpr std::size_t kMostKeptTurns = 32;
 /// How often a first picture is placed, the second time with a view to what was placed in the first. More: fewer lines across others' extension lines, and fewer of those through numbers; it takes longer.
 inline constexpr int kFirstPictureRounds = 2;
 /// Moved frames after which any line may look for a better place, though nothing is amiss with it.

@@ -13,4 +13,10 @@ std::vector<T> withRoomFor(std::size_t count) {
   return vector;
 }
 
+/// Room for as much as another one has room for: the two change places, or one is copied to the other, from frame to frame.
+template <typename T>
+void makeRoomLike(const std::vector<T>& other, std::vector<T>& vector) {
+  vector.reserve(other.capacity());
+}
+
 }  // namespace dimline

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "core/reserved.h"
 #include "model/scene.h"
 #include "placement/base_lines.h"
 
@@ -48,6 +49,7 @@ BaseLine chainBaseLine(const Cluster& cluster, int side);
 class TakenStretches {
  public:
   void reserve(std::size_t stretches) { stretches_.reserve(stretches); }
+  void makeRoomLike(const TakenStretches& other) { dimline::makeRoomLike(other.stretches_, stretches_); }
   void clear() { stretches_.clear(); }
   /// Whether [from, to] overlaps nothing by more than `toleranceM`; touching ends are no overlap.
   [[nodiscard]] bool free(double fromM, double toM, double toleranceM) const;

@@ -1,6 +1,7 @@
 #include "placement/guides.h"
 
 #include <cmath>
+#include <utility>
 
 namespace dimline {
 
@@ -11,15 +12,33 @@ constexpr std::size_t kReservedStretches = 64;
 
 }  // namespace
 
-int Guides::add(const Plane& plane, const Segment& line) {
+Guides& Guides::operator=(const Guides& other) {
+  if (this == &other) return *this;
+  count_ = 0;
+  for (std::size_t i = 0; i < other.count_; ++i) next() = other.guides_[i];
+  return *this;
+}
+
+void Guides::makeRoomLike(const Guides& other) {
+  const std::size_t count = std::exchange(count_, 0);
+  for (const Guide& guide : other.guides_) next().taken.makeRoomLike(guide.taken);
+  count_ = count;
+}
+
+/// One more, with the memory that it had.
+Guide& Guides::next() {
   if (count_ == guides_.size()) guides_.emplace_back().taken.reserve(kReservedStretches);
-  Guide& guide = guides_[count_];
+  return guides_[count_++];
+}
+
+int Guides::add(const Plane& plane, const Segment& line) {
+  Guide& guide = next();
   guide.plane = plane;
   guide.point = line.start;
   // Of a line that was dragged to no length the direction is unknown: nothing lies along its guide.
   guide.along = unitOrZero(line.end - line.start);
   guide.taken.clear();
-  return static_cast<int>(count_++);
+  return static_cast<int>(count_) - 1;
 }
 
 int Guides::through(const Segment& line, const Plane& plane, double toleranceM) const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "placement/chains.h"
@@ -21,7 +22,20 @@ struct Guide {
 /// The guides of one frame. Keeps its memory from frame to frame.
 class Guides {
  public:
+  Guides() = default;
+  Guides(const Guides& other) { *this = other; }
+  Guides(Guides&& other) noexcept : guides_(std::move(other.guides_)), count_(std::exchange(other.count_, 0)) {}
+  Guides& operator=(const Guides& other);
+  Guides& operator=(Guides&& other) noexcept {
+    guides_.swap(other.guides_);
+    std::swap(count_, other.count_);
+    return *this;
+  }
+  ~Guides() = default;
+
   void clear() { count_ = 0; }
+  /// Room for as much as another one has room for.
+  void makeRoomLike(const Guides& other);
   /// A new guide through a line on a plane, with nothing on it; returns its number.
   int add(const Plane& plane, const Segment& line);
   /// The number of the guide that a line on a plane lies on, -1 when there is none.
@@ -31,6 +45,8 @@ class Guides {
   [[nodiscard]] const Guide& operator[](std::size_t i) const { return guides_[i]; }
 
  private:
+  Guide& next();
+
   std::vector<Guide> guides_;
   std::size_t count_ = 0;
 };

@@ -43,6 +43,12 @@ void Landed::clear() {
   labels_.clear();
 }
 
+void Landed::makeRoomLike(const Landed& other) {
+  dimline::makeRoomLike(other.lines_, lines_);
+  dimline::makeRoomLike(other.extensions_, extensions_);
+  dimline::makeRoomLike(other.labels_, labels_);
+}
+
 void Landed::add(const PlacedLine& line, int guide) {
   const int parameter = static_cast<int>(line.parameter);
   lines_.push_back({line.lineScreen, guide, line.lineScreen.middle() - line.baseScreen.middle(), parameter, line.lengthM});

@@ -23,6 +23,8 @@ class Landed {
   static constexpr std::size_t kReservedLines = 32;
 
   void clear();
+  /// Room for as much as another one has room for.
+  void makeRoomLike(const Landed& other);
   /// `guide`: the number of the guide that the line lies on or has made; -1 when it has none.
   void add(const PlacedLine& line, int guide);
   /// A line on screen with its base line and its foot on the plane, without a label.

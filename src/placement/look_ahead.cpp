@@ -108,6 +108,12 @@ bool LookAhead::shadows(const Box2& label) const {
 
 bool LookAhead::crowds(const Segment2& line) const { return outside_.ahead.comesWithin(kHandleSpacingPx - kSlackPx, line); }
 
+void LookAhead::noteAgain(const LookAhead& other, const Noted& noted) {
+  const auto noteFirst = [](std::size_t count, const Lines& from, Lines& to) { to.present.assign(from.present.begin(), from.present.begin() + static_cast<std::ptrdiff_t>(count)); };
+  noteFirst(noted.outside, other.outside_, outside_);
+  noteFirst(noted.inside, other.inside_, inside_);
+}
+
 void LookAhead::forget() {
   for (Lines* lines : {&outside_, &inside_}) {
     lines->past.clear();

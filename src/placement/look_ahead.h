@@ -38,6 +38,13 @@ class LookAhead {
   [[nodiscard]] bool leavesRoom(const Box2& label) const {
     return (shown_ ? outside_.ahead.hasRoom(label) : outside_.ahead.clearsExtensions(label)) && inside_.ahead.hasRoom(label) && !shadows(label);
   }
+  /// How much of this frame has been noted.
+  struct Noted {
+    std::size_t outside = 0, inside = 0;
+  };
+  [[nodiscard]] Noted noted() const { return {outside_.present.size(), inside_.present.size()}; }
+  /// Notes what another one had noted of the same frame by then.
+  void noteAgain(const LookAhead& other, const Noted& noted);
   void forget();
 
  private:

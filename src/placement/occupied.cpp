@@ -12,6 +12,12 @@ void Occupied::clear() {
   contents_->guides.clear();
 }
 
+void Occupied::Contents::makeRoomLike(const Contents& other) {
+  if (padded.widthPx != other.padded.widthPx || padded.heightPx != other.padded.heightPx) padded = other.padded;
+  landed.makeRoomLike(other.landed);
+  guides.makeRoomLike(other.guides);
+}
+
 void Occupied::add(const PlacedLine& line, int guide) {
   auto& [padded, landed, guides] = *contents_;
   const Landed::Mark before = landed.mark();

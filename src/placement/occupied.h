@@ -17,7 +17,19 @@ class Occupied {
   void begin(const DistanceFields& model);
   /// Nothing but the model is there: before each attempt at the frame.
   void clear();
-  /// Exchanges all but the model with another one of the same frame.
+  /// What has landed, with its fields and guides. It can be kept, to go back to it in the same frame.
+  struct Contents {
+    DistanceFields padded;
+    Landed landed;
+    Guides guides;
+
+    /// Room for as much as another one has room for, so that neither allocates when it is copied to the other.
+    void makeRoomLike(const Contents& other);
+  };
+  [[nodiscard]] const Contents& contents() const { return *contents_; }
+  void goBackTo(const Contents& kept) { *contents_ = kept; }
+  void makeRoomLike(const Occupied& other) { contents_->makeRoomLike(*other.contents_); }
+  /// Exchanges it with that of another one of the same frame.
   void swapLanded(Occupied& other) { contents_.swap(other.contents_); }
 
   [[nodiscard]] const DistanceFields& paddedModel() const { return paddedModel_; }   ///< the model alone, with handleSpacing
@@ -37,11 +49,6 @@ class Occupied {
   void add(const PlacedHandle& handle, const View& view);
 
  private:
-  struct Contents {
-    DistanceFields padded;
-    Landed landed;
-    Guides guides;
-  };
   DistanceFields paddedModel_;
   std::unique_ptr<Contents> contents_ = std::make_unique<Contents>();
 };

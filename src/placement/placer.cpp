@@ -77,6 +77,8 @@ void Placer::showHidden(bool shown) {
   state_->showHidden = shown;
 }
 
+void Placer::placeAttemptsWhole(bool whole) { state_->attemptsAreWhole = whole; }
+
 void Placer::setScene(const Model& model, const Scene& scene) {
   State& s = *state_;
   // With measures a model has more parameters, and without them fewer; those that it has in both cases keep their places.
@@ -190,31 +192,42 @@ void Placer::State::placeOnce(const FrameToPlace& frame, bool sceneChanged, bool
   past.lookAhead.project(order, past.placingOrder.ranks(), frame.view, frame.fields);
   const bool mends = firm && frame.viewMoved;
   if (mends) beforeAttempts = past;
+  keepsTurns = mends && mostCrowded(frame.view) == 0 && !attemptsAreWhole;
+  if (keepsTurns) makeRoomForTurns();
   placeWithRoom(frame, layout);
   if (mends) mend(frame, layout);
+  keepsTurns = false;
   placeBesideLines(frame, layout);
 }
 
-/// Other attempts at the frame that has been placed; the best one stays.
+/// Other attempts at the frame that has been placed, each of which goes on from the best one before it; the best one stays.
 void Placer::State::mend(const FrameToPlace& frame, Layout& layout) {
   Mending mending = past.mending;
   mending.begin();
   auto attempt = mending.next(outcome, past.placingOrder.isShortestFirst());
   if (attempt) outcome.tanglesAhead = tanglesAhead(layout.lines);
+  avoided.assign(order.size(), Identity{});
   for (; attempt; attempt = mending.next(outcome, past.placingOrder.isShortestFirst())) {
-    if (attempt->looks) avoided = {*attempt->looks, past.histories[order[*attempt->looks].parameter].last()};
-    beginAttempt(layout);
-    if (attempt->shortestFirst) past.placingOrder.forget();
-    for (const auto& [rank, before] : std::span(attempt->puts).first(attempt->putCount)) past.placingOrder.put(rank, before);
+    beginAttempt(*attempt, layout);
+    const std::size_t same = turnsInCommon();
+    if (same == order.size()) {   // nothing is otherwise
+      swapWithBest(layout);
+      continue;
+    }
     past.lookAhead.project(order, past.placingOrder.ranks(), frame.view, frame.fields);
-    placeWithRoom(frame, layout);
+    if (keepsTurns) {
+      const std::size_t from = same - same % turnsBetween();
+      goOnFromBest(from, layout);
+      placeFrom(from, frame, 0, layout);
+    } else {
+      placeWithRoom(frame, layout);
+    }
     outcome.tanglesAhead = tanglesAhead(layout.lines);
-    avoided.reset();
-    // One that has no other place outside would be back in its own in the next frame.
-    const bool hasNone = attempt->looks && outcome.outside[*attempt->looks] == 0;
-    const bool wins = attempt->winsTies ? !bestOutcome.betterThan(outcome) : outcome.betterThan(bestOutcome);
-    if (hasNone || !wins) swapWithBest(layout);
+    const bool wins = !looksInVain() && (attempt->winsTies ? !bestOutcome.betterThan(outcome) : outcome.betterThan(bestOutcome));
+    if (!wins) swapWithBest(layout);
+    else if (keepsTurns) std::swap_ranges(turns.begin(), turns.begin() + static_cast<std::ptrdiff_t>(same / turnsBetween()), bestTurns.begin());
   }
+  avoided.clear();
   past.mending = mending;
 }
 
@@ -235,31 +248,57 @@ double Placer::State::tanglesAhead(std::span<const PlacedLine> lines) {
   return tangles;
 }
 
-/// What was placed is the best so far, and all but its order is again as it was before.
-void Placer::State::beginAttempt(Layout& layout) {
+/// What was placed is the best so far, and all is again as it was before, but for the order, who looks for another place, and what the attempt does otherwise.
+void Placer::State::beginAttempt(const Attempt& attempt, Layout& layout) {
   swapWithBest(layout);
   past = beforeAttempts;
   past.placingOrder = bestPast.placingOrder;
+  if (attempt.shortestFirst) past.placingOrder.forget();
+  for (const auto& [rank, before] : std::span(attempt.puts).first(attempt.putCount)) past.placingOrder.put(rank, before);
+  avoided = bestAvoided;
+  if (attempt.looks) avoided[*attempt.looks] = bestPast.histories[order[*attempt.looks].parameter].last();
+}
+
+/// How many lines have their turn before anything is done otherwise than in the best attempt.
+std::size_t Placer::State::turnsInCommon() const {
+  const auto now = past.placingOrder.ranks(), best = bestPast.placingOrder.ranks();
+  std::size_t turn = 0;
+  while (turn < now.size() && now[turn] == best[turn] && avoided[now[turn]] == bestAvoided[now[turn]]) ++turn;
+  return turn;
+}
+
+/// Whether a line that looks for another place has found none outside: it would be back in its own in the next frame.
+bool Placer::State::looksInVain() const {
+  for (std::size_t rank = 0; rank < avoided.size(); ++rank) {
+    if (avoided[rank] != Identity{} && outcome.outside[rank] == 0) return true;
+  }
+  return false;
 }
 
 void Placer::State::swapWithBest(Layout& layout) {
+  std::swap(bestTurns, turns);
+  std::swap(bestAvoided, avoided);
   std::swap(bestPast, past);
   std::swap(bestOutcome, outcome);
   std::swap(bestLayout, layout);
   occupied.swapLanded(bestOccupied);
 }
 
+/// How many of the shortest lines may have to go in a small viewport.
+std::size_t Placer::State::mostCrowded(const View& view) const {
+  const auto roomFor = static_cast<std::size_t>(std::ceil(view.widthPx() * view.heightPx() / kCrowdedPx2));
+  return roomFor >= editable ? 0 : std::min(editable - roomFor, order.size());
+}
+
 /// Places all lines, but as many of the shortest as have to go in a small viewport.
 void Placer::State::placeWithRoom(const FrameToPlace& frame, Layout& layout) {
-  const View& view = frame.view;
-  const auto roomFor = static_cast<std::size_t>(std::ceil(view.widthPx() * view.heightPx() / kCrowdedPx2));
-  const std::size_t mostCrowded = roomFor >= editable ? 0 : std::min(editable - roomFor, order.size());
-  std::size_t crowded = std::min(past.crowded, mostCrowded);
+  const std::size_t most = mostCrowded(frame.view);
+  std::size_t crowded = std::min(past.crowded, most);
   // Now and then it is tried whether one that was hidden has room again.
   if (crowded > 0 && frame.viewMoved && past.crowdedFrames >= kReturnFrames) --crowded;
-  if (mostCrowded > 0) beforePlacing = past;
+  if (most > 0) beforePlacing = past;
   bool tooFew = false;
-  while (placeAllLines(frame, crowded, layout) && crowded < mostCrowded) {
+  while (placeAllLines(frame, crowded, layout) && crowded < most) {
     past = beforePlacing;
     ++crowded;
     tooFew = true;

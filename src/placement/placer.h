@@ -52,6 +52,10 @@ class Placer {
   /// To be told after a frame whose fields were still another scene's or view's: what an edit lets find another place is looked at once more, when they have come.
   void awaitFields();
 
+  /// Whether each attempt to mend a frame (placement/mending.h) places all lines, in place of those alone from whose turn on it differs from the best one before it. The layouts are the same, after
+  /// twice the time: for tests of just that.
+  void placeAttemptsWhole(bool whole);
+
  private:
   struct State;
   std::unique_ptr<State> state_;

@@ -72,23 +72,80 @@ void recycle(std::vector<Thing>& list, std::vector<Thing>& spare, std::size_t mo
 
 /// Places all lines but the `crowded` shortest, and before them the handles of which all others keep clear. Returns whether a line runs into another.
 bool Placer::State::placeAllLines(const FrameToPlace& frame, std::size_t crowded, Layout& layout) {
-  const auto& [view, fields, values, held, viewMoved] = frame;
+  beginLines(frame, layout);
+  return placeFrom(0, frame, crowded, layout);
+}
+
+void Placer::State::beginLines(const FrameToPlace& frame, Layout& layout) {
+  emptyLayout(layout);
+  occupied.clear();
+  // What is held stays where it is: shorter lines come before it, but must leave it room.
+  for (const PlacedLine& line : frame.held) occupied.reserve(line);
+  for (const Measured& other : others) {
+    if (hasOnePlace(other)) placeOther(other, frame, layout);
+  }
+  outcome.begin(order.size(), foresight.zooms());
+}
+
+void Placer::State::emptyLayout(Layout& layout) {
   recycle(layout.lines, spareLines, mostLines);
   spareHandles.reserve(2 * others.size());   // as recycle() keeps
   recycle(layout.others, spareHandles, others.size());
   layout.others.reserve(others.size());   // however many of them found no place until now
   layout.hidden.clear();
   layout.hidden.reserve(order.size() + others.size());   // however few of them found none
-  occupied.clear();
-  // What is held stays where it is: shorter lines come before it, but must leave it room.
-  for (const PlacedLine& line : held) occupied.reserve(line);
-  for (const Measured& other : others) {
-    if (hasOnePlace(other)) placeOther(other, frame, layout);
+}
+
+/// All that a frame's attempts are copied to and from gets as much room as any of it has.
+void Placer::State::makeRoomForTurns() {
+  const std::size_t count = (order.size() + turnsBetween() - 1) / turnsBetween();
+  bestOccupied.makeRoomLike(occupied);
+  occupied.makeRoomLike(bestOccupied);
+  for (std::vector<Turn>* kept : {&turns, &bestTurns}) {
+    kept->resize(count);
+    for (Turn& turn : *kept) {
+      turn.occupied.makeRoomLike(occupied.contents());
+      turn.outcome.begin(order.size());
+    }
   }
-  outcome.begin(order.size(), foresight.zooms());
+}
+
+void Placer::State::keepTurn(std::size_t turn, const Layout& layout) {
+  if (turn % turnsBetween() != 0) return;
+  Turn& now = turns[turn / turnsBetween()];
+  now.occupied = occupied.contents();
+  now.outcome = outcome;
+  now.lines = layout.lines.size();
+  now.hidden = layout.hidden.size();
+  now.noted = past.lookAhead.noted();
+}
+
+/// All stands as it stood in the best attempt when that turn came, which was kept.
+void Placer::State::goOnFromBest(std::size_t turn, Layout& layout) {
+  const Turn& then = bestTurns[turn / turnsBetween()];
+  emptyLayout(layout);
+  for (const PlacedLine& line : std::span(bestLayout.lines).first(then.lines)) append(layout.lines, spareLines) = line;
+  for (const PlacedHandle& other : bestLayout.others) append(layout.others, spareHandles, other.parameter) = other;
+  layout.hidden.assign(bestLayout.hidden.begin(), bestLayout.hidden.begin() + static_cast<std::ptrdiff_t>(then.hidden));
+  occupied.goBackTo(then.occupied);
+  outcome = then.outcome;
+  past.crowded = bestPast.crowded;
+  past.crowdedFrames = bestPast.crowdedFrames;
+  past.lookAhead.noteAgain(bestPast.lookAhead, then.noted);
+  const auto rememberAgain = [&](const Measured& measured) { past.histories[measured.parameter] = bestPast.histories[measured.parameter]; };
+  for (const Measured& other : others) rememberAgain(other);
+  for (const std::size_t rank : past.placingOrder.ranks().first(turn)) rememberAgain(order[rank]);
+}
+
+/// Places the lines whose turn has not come yet. Returns whether one that can be edited runs into another.
+bool Placer::State::placeFrom(std::size_t firstTurn, const FrameToPlace& frame, std::size_t crowded, Layout& layout) {
+  const auto& [view, fields, values, held, viewMoved] = frame;
   bool cramped = false;
   const ObjectPlanesInFrame object{objectPlanes, objectPlaneUses, toleranceM};
-  for (const std::size_t rank : past.placingOrder.ranks()) {
+  const auto ranks = past.placingOrder.ranks();
+  for (std::size_t turn = firstTurn; turn < ranks.size(); ++turn) {
+    if (keepsTurns) keepTurn(turn, layout);
+    const std::size_t rank = ranks[turn];
     Measured& measured = order[rank];
     past.lookAhead.reach(rank);
     const auto inHand = std::ranges::find(held, measured.parameter, &PlacedLine::parameter);
@@ -103,7 +160,7 @@ bool Placer::State::placeAllLines(const FrameToPlace& frame, std::size_t crowded
       judgeHidden(past.histories[measured.parameter]);
       past.histories[measured.parameter].choseNone();
     } else {
-      const Identity* avoid = avoided && avoided->rank == rank ? &avoided->place : nullptr;
+      const Identity* avoid = !avoided.empty() && avoided[rank] != Identity{} ? &avoided[rank] : nullptr;
       const bool runsInto = placeLines(rank, contextOf(frame, object, measured, avoid), values.at(measured.parameter), layout);
       // A measure takes no place from what can be edited.
       cramped |= runsInto && !parameters[measured.parameter].measure;

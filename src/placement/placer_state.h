@@ -74,13 +74,24 @@ struct Placer::State {
   bool firm = false;                  ///< see ChoiceContext
   bool opening = false;               ///< a first picture is placed, in rounds
   bool asksForRoom = false;           ///< see ChoiceContext
-  struct Avoided {
-    std::size_t rank = 0;
-    Identity place;
+  /// One a rank while a frame is mended: the place that the line does not take, since it looks for another; that of parameter -1 when it does not.
+  std::vector<Identity> avoided;
+
+  /// What stands in an attempt when the turn of a line comes, so that another attempt in which all goes the same way until then can go on from there.
+  struct Turn {
+    Occupied::Contents occupied;
+    Outcome outcome;
+    std::size_t lines = 0;            ///< of the layout
+    std::size_t hidden = 0;
+    LookAhead::Noted noted;
   };
-  std::optional<Avoided> avoided;     ///< by the line of that rank, in an attempt to find another place for it
+  std::vector<Turn> turns;            ///< of this attempt, when they are kept: the first, and each further one after turnsBetween() more
+  bool keepsTurns = false;
+  bool attemptsAreWhole = false;
 
   // The best attempt at this frame so far, while another is made; and what all of them begin with.
+  std::vector<Turn> bestTurns;
+  std::vector<Identity> bestAvoided;
   Past bestPast;
   Outcome bestOutcome;
   Layout bestLayout;
@@ -114,13 +125,23 @@ struct Placer::State {
   void placeOnce(const FrameToPlace& frame, bool sceneChanged, bool shown, Layout& layout);
   void mend(const FrameToPlace& frame, Layout& layout);
   [[nodiscard]] double tanglesAhead(std::span<const PlacedLine> lines);
-  void beginAttempt(Layout& layout);
+  void beginAttempt(const Attempt& attempt, Layout& layout);
+  [[nodiscard]] std::size_t turnsInCommon() const;
+  [[nodiscard]] bool looksInVain() const;
   void swapWithBest(Layout& layout);
+  [[nodiscard]] std::size_t mostCrowded(const View& view) const;
   void placeWithRoom(const FrameToPlace& frame, Layout& layout);
   void placeOnDemand(const FrameToPlace& frame, bool sceneChanged, Layout& layout);
 
   // placer_attempt.cpp
   bool placeAllLines(const FrameToPlace& frame, std::size_t crowded, Layout& layout);
+  void beginLines(const FrameToPlace& frame, Layout& layout);
+  void emptyLayout(Layout& layout);
+  [[nodiscard]] std::size_t turnsBetween() const { return order.size() / kMostKeptTurns + 1; }
+  void makeRoomForTurns();
+  void keepTurn(std::size_t turn, const Layout& layout);
+  void goOnFromBest(std::size_t turn, Layout& layout);
+  bool placeFrom(std::size_t firstTurn, const FrameToPlace& frame, std::size_t crowded, Layout& layout);
   void placeBesideLines(const FrameToPlace& frame, Layout& layout);
   void placeAllHidden(const FrameToPlace& frame, Layout& layout);
   void labelInside(const FrameToPlace& frame, std::span<PlacedLine> lines);

@@ -11,27 +11,19 @@ namespace dimline {
 
 namespace {
 
-/// Two nodes of the tree side by side, as they lie in memory: least, greatest, least, greatest.
-float* pairAt(DistanceField::Range* tree, std::size_t node) { return reinterpret_cast<float*>(tree + node); }
-
-/// Copies strips' values to their leaves, four at a time.
-void writeLeaves(const float* values, DistanceField::Range* leaves, std::size_t firstStrip, std::size_t lastStrip) {
-  for (std::size_t i = firstStrip / 4 * 4; i <= lastStrip; i += 4) {
-    const Float4 four = load4(values + i);
-    store4(pairAt(leaves, i), pick4<0, 4, 1, 5>(four, four));
-    store4(pairAt(leaves, i + 2), pick4<2, 6, 3, 7>(four, four));
-  }
+/// The first of four lanes after folding them into it.
+template <typename Fold>
+float foldLanes(Float4 four, Fold fold) {
+  four = fold(four, pick4<2, 3, 0, 1>(four, four));
+  return fold(four, pick4<1, 0, 3, 2>(four, four))[0];
 }
 
-/// Joins children to the nodes [low, high] of one level, two nodes at a time; the level has two nodes at least.
-void joinLevel(DistanceField::Range* tree, std::size_t low, std::size_t high) {
-  for (std::size_t i = low / 2 * 2; i <= high; i += 2) {
-    const Float4 first = load4(pairAt(tree, 2 * i));
-    const Float4 second = load4(pairAt(tree, 2 * i + 2));
-    const Float4 even = pick4<0, 1, 4, 5>(first, second);
-    const Float4 odd = pick4<2, 3, 6, 7>(first, second);
-    store4(pairAt(tree, i), pick4<0, 5, 2, 7>(min4(even, odd), max4(even, odd)));
-  }
+/// The values of the strips [first, end) folded into one, four at a time: [first, end) is whole fours.
+template <typename Fold>
+float foldFours(const float* values, std::size_t first, std::size_t end, Fold fold) {
+  Float4 folded = load4(values + first);
+  for (std::size_t i = first + 4; i < end; i += 4) folded = fold(folded, load4(values + i));
+  return foldLanes(folded, fold);
 }
 
 /// A screen point as one field sees it: `along` its strips, and `away` from its viewport edge.
@@ -78,7 +70,7 @@ public:
     strips_ = stripsOf(field, from_.along, to_.along);
   }
 
-  [[nodiscard]] bool clear() const { return clear(1, 0, field_.leafCount()); }
+  [[nodiscard]] bool clear() const { return clear(1, 0, field_.leafCount() * DistanceField::kBlockStrips); }
 
 private:
   /// The segment's distance from the viewport edge at a place along it, its own ends being exact.
@@ -87,18 +79,28 @@ private:
     return along >= to_.along ? to_.away : from_.away + (along - from_.along) * slope_;
   }
 
-  /// The node stands over the strips [first, first + count).
-  [[nodiscard]] bool clear(std::size_t index, std::size_t first, std::size_t count) const {
-    if (first > strips_.last || first + count <= strips_.first) return true;
-    double low = awayAt(static_cast<double>(first));
-    double high = awayAt(static_cast<double>(first + count));
+  /// The segment's least and greatest distance from the viewport edge over the strips [first, first + count).
+  [[nodiscard]] std::pair<double, double> awayOver(std::size_t first, std::size_t count) const {
     // A segment within one strip need not be a function of the place along the edge.
-    if (strips_.first == strips_.last) low = from_.away, high = to_.away;
-    if (low > high) std::swap(low, high);
-    const DistanceField::Range& node = field_.node(index);
-    if (high <= node.min) return true;
-    if (count == 1 || low > node.max) return false;
-    return clear(2 * index, first, count / 2) && clear(2 * index + 1, first + count / 2, count / 2);
+    if (strips_.first == strips_.last) return std::minmax({from_.away, to_.away});
+    return std::minmax({awayAt(static_cast<double>(first)), awayAt(static_cast<double>(first + count))});
+  }
+
+  /// The node stands over the strips [first, first + count).
+  [[nodiscard]] bool clear(std::size_t node, std::size_t first, std::size_t count) const {
+    if (first > strips_.last || first + count <= strips_.first) return true;
+    const auto [low, high] = awayOver(first, count);
+    if (high <= field_.least(node)) return true;
+    if (low > field_.greatest(node)) return false;
+    if (count == DistanceField::kBlockStrips) return clearOneByOne(std::max(first, strips_.first), std::min(first + count - 1, strips_.last));
+    return clear(2 * node, first, count / 2) && clear(2 * node + 1, first + count / 2, count / 2);
+  }
+
+  [[nodiscard]] bool clearOneByOne(std::size_t first, std::size_t last) const {
+    for (std::size_t strip = first; strip <= last; ++strip) {
+      if (awayOver(strip, 1).second > field_.at(strip)) return false;
+    }
+    return true;
   }
 
   const DistanceField& field_;
@@ -115,10 +117,13 @@ bool inViewport(const DistanceFields& fields, const Vec2& p) {
 }  // namespace
 
 void DistanceField::reset(std::size_t strips) {
+  constexpr std::size_t kReadBeyond = 3;
+  const std::size_t blocks = (std::max<std::size_t>(strips, 1) + kBlockStrips - 1) / kBlockStrips;
   size_ = strips;
-  leafCount_ = std::bit_ceil(std::max<std::size_t>(strips, 16));
-  values_.assign(size_ + 3, kNoSilhouette);
-  tree_.assign(2 * leafCount_, Range{});
+  leafCount_ = std::bit_ceil(blocks);
+  values_.assign(blocks * kBlockStrips + kReadBeyond, kNoSilhouette);
+  least_.assign(2 * leafCount_ + kReadBeyond, kNoSilhouette);
+  greatest_.assign(2 * leafCount_, kNoSilhouette);
 }
 
 void DistanceField::buildTree() {
@@ -127,36 +132,49 @@ void DistanceField::buildTree() {
 
 void DistanceField::mendTree(std::size_t first, std::size_t last) {
   if (first >= size_ || last < first) return;
-  last = std::min(last, size_ - 1);
-  writeLeaves(values_.data(), tree_.data() + leafCount_, first, last);
-  std::size_t low = (leafCount_ + first) / 2;
-  std::size_t high = (leafCount_ + last) / 2;
-  for (; low > 1; low /= 2, high /= 2) joinLevel(tree_.data(), low, high);
-  tree_[1] = {std::min(tree_[2].min, tree_[3].min), std::max(tree_[2].max, tree_[3].max)};
+  std::size_t low = leafCount_ + first / kBlockStrips;
+  std::size_t high = leafCount_ + std::min(last, size_ - 1) / kBlockStrips;
+  for (std::size_t leaf = low; leaf <= high; ++leaf) {
+    const std::size_t begin = (leaf - leafCount_) * kBlockStrips;
+    least_[leaf] = foldFours(values_.data(), begin, begin + kBlockStrips, min4);
+    greatest_[leaf] = foldFours(values_.data(), begin, begin + kBlockStrips, max4);
+  }
+  for (low /= 2, high /= 2; low > 0; low /= 2, high /= 2) {
+    for (std::size_t node = low; node <= high; ++node) {
+      least_[node] = std::min(least_[2 * node], least_[2 * node + 1]);
+      greatest_[node] = std::max(greatest_[2 * node], greatest_[2 * node + 1]);
+    }
+  }
+}
+
+/// The values of the strips [first, last] folded into one; `nodes`: those of the tree, folded likewise.
+template <typename Fold>
+float DistanceField::fold(std::span<const float> nodes, std::size_t first, std::size_t last, float folded, Fold fold) const {
+  assert(first <= last && last < size_);
+  std::size_t low = leafCount_ + (first + kBlockStrips - 1) / kBlockStrips;   // whole blocks
+  std::size_t end = leafCount_ + (last + 1) / kBlockStrips;
+  const auto foldStrips = [&](std::size_t from, std::size_t to) {
+    for (std::size_t strip = from; strip < to; ++strip) folded = fold(folded, values_[strip]);
+  };
+  if (low >= end) {
+    foldStrips(first, last + 1);
+    return folded;
+  }
+  foldStrips(first, (low - leafCount_) * kBlockStrips);
+  foldStrips((end - leafCount_) * kBlockStrips, last + 1);
+  for (; low < end; low /= 2, end /= 2) {
+    if (low % 2 == 1) folded = fold(folded, nodes[low++]);
+    if (end % 2 == 1) folded = fold(folded, nodes[--end]);
+  }
+  return folded;
 }
 
 float DistanceField::min(std::size_t first, std::size_t last) const {
-  assert(first <= last && last < size_);
-  float least = kNoSilhouette;
-  std::size_t low = leafCount_ + first;
-  std::size_t end = leafCount_ + last + 1;
-  for (; low < end; low /= 2, end /= 2) {
-    if (low % 2 == 1) least = std::min(least, tree_[low++].min);
-    if (end % 2 == 1) least = std::min(least, tree_[--end].min);
-  }
-  return least;
+  return fold(least_, first, last, kNoSilhouette, [](float a, float b) { return std::min(a, b); });
 }
 
 float DistanceField::max(std::size_t first, std::size_t last) const {
-  assert(first <= last && last < size_);
-  float greatest = -kNoSilhouette;
-  std::size_t low = leafCount_ + first;
-  std::size_t end = leafCount_ + last + 1;
-  for (; low < end; low /= 2, end /= 2) {
-    if (low % 2 == 1) greatest = std::max(greatest, tree_[low++].max);
-    if (end % 2 == 1) greatest = std::max(greatest, tree_[--end].max);
-  }
-  return greatest;
+  return fold(greatest_, first, last, -kNoSilhouette, [](float a, float b) { return std::max(a, b); });
 }
 
 void DistanceFields::reset(int width, int height) {

@@ -85,18 +85,22 @@ struct Boundary {
   Line straight;
   Interval peak;
 
-  [[nodiscard]] double at(double along) const {
-    if (along >= straight.from && along <= straight.to) return straight.at(along);
-    const bool early = along < straight.from;
-    const double off = along - (early ? firstAlong : lastAlong);
-    return (early ? firstAcross : lastAcross) + sign * std::sqrt(std::max(0.0, radius * radius - off * off));
+  /// The outermost place over each of the strips [strip, strip + 1], for four of them.
+  [[nodiscard]] Float4 over(Float4 strip) const {
+    const auto clamp = [](Float4 at, Float4 low, Float4 high) { return min4(max4(at, low), high); };
+    const Float4 outermost = clamp(clamp(strip, splat(peak.low), splat(peak.high)), strip, strip + 1.0F);
+    const Float4 along = clamp(outermost, splat(firstAlong - radius), splat(lastAlong + radius));
+    const auto arc = [&](double middleAlong, double middleAcross) {
+      const Float4 off = along - splat(middleAlong);
+      return splat(middleAcross) + splat(sign) * sqrt4(max4(splat(radius * radius) - off * off, splat4(0.0F)));
+    };
+    const Float4 onStraight = splat(straight.start) + splat(straight.slope) * (along - splat(straight.from));
+    const Float4 notLate = choose4(along > splat(straight.to), arc(lastAlong, lastAcross), onStraight);
+    return choose4(along < splat(straight.from), arc(firstAlong, firstAcross), notLate);
   }
 
-  /// The outermost place over the strip [strip, strip + 1].
-  [[nodiscard]] double over(double strip) const {
-    const double place = std::clamp(std::clamp(strip, peak.low, peak.high), strip, strip + 1);
-    return at(std::clamp(place, firstAlong - radius, lastAlong + radius));
-  }
+private:
+  [[nodiscard]] static Float4 splat(double v) { return splat4(static_cast<float>(v)); }
 };
 
 /// A shape in the frame of the rows or of the columns; `across` runs as x does for rows, and as y does for columns.
@@ -169,14 +173,14 @@ public:
     editsHigh_ = highField_.max(strip, end - 1) > leastHigh_;
     if (!editsLow_ && !editsHigh_) return;
     inside_ = lowest >= 0 && highest <= extentPx_;
-    // Where both boundaries are straight and inside the viewport over a run of strips, four are done at a time.
+    // Where both boundaries are straight and inside the viewport over a run of strips, it takes less.
     const Interval plain = plainStrips(shape);
     const auto plainFirst = static_cast<std::size_t>(std::clamp(std::ceil(plain.low), first, last + 1));
     const auto plainEnd =
         static_cast<std::size_t>(std::clamp(std::floor(plain.high), static_cast<double>(plainFirst), last + 1));
-    for (; strip < plainFirst; ++strip) one(shape, strip);
-    for (; strip + 4 <= plainEnd; strip += 4) four(shape, strip);
-    for (; strip < end; ++strip) one(shape, strip);
+    for (; strip < plainFirst; strip += 4) pull(shape, strip, end);
+    for (; strip + 4 <= plainEnd; strip += 4) pullStraight(shape, strip);
+    for (; strip < end; strip += 4) pull(shape, strip, end);
     if (editsLow_) lowField_.mendTree(static_cast<std::size_t>(first), end - 1);
     if (editsHigh_) highField_.mendTree(static_cast<std::size_t>(first), end - 1);
   }
@@ -202,20 +206,28 @@ private:
     return plain;
   }
 
-  void one(const Shape& shape, std::size_t strip) {
-    const auto at = static_cast<double>(strip);
-    const bool pullsLow = editsLow_ && lowField_.values()[strip] > leastLow_;
-    const bool pullsHigh = editsHigh_ && highField_.values()[strip] > leastHigh_;
-    const double low = pullsLow || !inside_ ? shape.low.over(at) : 0.0;
-    const double high = pullsHigh || !inside_ ? shape.high.over(at) : extentPx_;
+  /// Four strips, but for those from `end` on.
+  void pull(const Shape& shape, std::size_t strip, std::size_t end) {
+    float* low = lowField_.edit().data() + strip;
+    float* high = highField_.edit().data() + strip;
+    const Float4 lowBefore = load4(low);
+    const Float4 highBefore = load4(high);
+    const bool pullsLow = editsLow_ && lanesOf(lowBefore > splat4(leastLow_)) != 0;
+    const bool pullsHigh = editsHigh_ && lanesOf(highBefore > splat4(leastHigh_)) != 0;
+    if (!pullsLow && !pullsHigh) return;
+    const Float4 at = splat4(static_cast<float>(strip)) + kLanes;
+    const Float4 zero = splat4(0.0F);
+    const Float4 extent = splat4(static_cast<float>(extentPx_));
+    const Float4 lowest = pullsLow || !inside_ ? shape.low.over(at) : zero;
+    const Float4 highest = pullsHigh || !inside_ ? shape.high.over(at) : extent;
     // The shape is connected over a strip, so it is seen there when its interval meets [0, extent].
-    if (high < 0 || low > extentPx_) return;
-    const auto pull = [](float& value, double to) { value = std::min(value, static_cast<float>(std::max(0.0, to))); };
-    if (pullsLow) pull(lowField_.edit()[strip], low);
-    if (pullsHigh) pull(highField_.edit()[strip], extentPx_ - high);
+    const Int4 seen = (at < splat4(static_cast<float>(end))) & (highest >= zero) & (lowest <= extent);
+    if (pullsLow) store4(low, choose4(seen, min4(lowBefore, max4(lowest, zero)), lowBefore));
+    if (pullsHigh) store4(high, choose4(seen, min4(highBefore, max4(extent - highest, zero)), highBefore));
   }
 
-  void four(const Shape& shape, std::size_t strip) {
+  /// Four strips over which both boundaries are straight and inside the viewport.
+  void pullStraight(const Shape& shape, std::size_t strip) {
     const auto values = [&](const Line& line, double sign) {
       // A straight piece is outermost over a strip at the strip's one end or the other.
       const double at = line.at(static_cast<double>(strip) + (sign * line.slope > 0 ? 1.0 : 0.0));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstring>
 
 #if defined(__SSE2__)
@@ -34,8 +35,12 @@ Float4 pick4(Float4 a, Float4 b) {
   return __builtin_shufflevector(a, b, i0, i1, i2, i3);
 }
 
-// With a NaN among the two, these give the second.
+/// `yes` where the comparison held, `no` elsewhere.
+inline Float4 choose4(Int4 held, Float4 yes, Float4 no) { return held ? yes : no; }
+
+// With a NaN among the two, min4 and max4 give the second.
 #if defined(__SSE2__)
+inline Float4 sqrt4(Float4 v) { return _mm_sqrt_ps(v); }
 inline Float4 min4(Float4 a, Float4 b) { return _mm_min_ps(a, b); }
 inline Float4 max4(Float4 a, Float4 b) { return _mm_max_ps(a, b); }
 /// One bit a lane: whether the comparison held there.
@@ -43,6 +48,7 @@ inline unsigned lanesOf(Int4 held) {
   return static_cast<unsigned>(_mm_movemask_ps(_mm_castsi128_ps(reinterpret_cast<__m128i>(held))));
 }
 #elif defined(__wasm_simd128__)
+inline Float4 sqrt4(Float4 v) { return reinterpret_cast<Float4>(wasm_f32x4_sqrt(reinterpret_cast<v128_t>(v))); }
 inline Float4 min4(Float4 a, Float4 b) {
   return reinterpret_cast<Float4>(wasm_f32x4_pmin(reinterpret_cast<v128_t>(b), reinterpret_cast<v128_t>(a)));
 }
@@ -51,6 +57,7 @@ inline Float4 max4(Float4 a, Float4 b) {
 }
 inline unsigned lanesOf(Int4 held) { return static_cast<unsigned>(wasm_i32x4_bitmask(reinterpret_cast<v128_t>(held))); }
 #else
+inline Float4 sqrt4(Float4 v) { return Float4{std::sqrt(v[0]), std::sqrt(v[1]), std::sqrt(v[2]), std::sqrt(v[3])}; }
 inline Float4 min4(Float4 a, Float4 b) { return a < b ? a : b; }
 inline Float4 max4(Float4 a, Float4 b) { return a > b ? a : b; }
 inline unsigned lanesOf(Int4 held) {

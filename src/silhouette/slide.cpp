@@ -8,10 +8,10 @@
 // half-planes against a box, without a division. t is a quotient of linear functions, so on a convex polygon that
 // does not pass the horizon it is greatest at a vertex; a strip's box is clipped exactly, in double precision.
 //
-// The tree is not walked node by node. Its level of 16 strips a node is swept four nodes at a time, then the strips
-// of those that pass, four at a time: a vector step costs about what a visit to one node does. Two things keep the
-// exact clipping down to a few strips: the most promising one comes first, and what would not raise the best offset
-// by kNegligiblePx on screen is passed over (a line parallel to a flat roof would have all of its strips tie).
+// The tree is not walked node by node. Its blocks are swept four at a time, then the strips of those that pass, four
+// at a time: a vector step costs about what a visit to one node does. Two things keep the exact clipping down to a few
+// strips: the most promising one comes first, and what would not raise the best offset by kNegligiblePx on screen is
+// passed over (a line parallel to a flat roof would have all of its strips tie).
 //
 // Of the four fields, mostly one has the answer. For the others a point of the wedge beyond that answer is tried:
 // when a field blocks it, the field's own answer is greater, and no search is needed.
@@ -42,8 +42,7 @@ constexpr double kHorizon = 1e-7;
 /// 1e-3 px at 4K.
 constexpr double kNegligiblePx = 5e-3;
 
-/// Strips to a block: the level of the tree that is swept.
-constexpr std::size_t kBlockStrips = 16;
+constexpr std::size_t kBlockStrips = DistanceField::kBlockStrips;
 
 /// A linear form over a field's own coordinates: `away` from its viewport edge, and `along` its strips.
 struct Form {
@@ -314,20 +313,16 @@ public:
 
   /// `hint`: where on screen another field was found to hold its greatest offset. Most often this one does so nearby.
   double run(const std::optional<Vec2>& hint) {
-    if (!(field_.node(1).min < extentPx_)) return 0;  // there is nothing to be seen
+    if (!(field_.least(1) < extentPx_)) return 0;  // there is nothing to be seen
     if (touchesViewportEdge()) return kInfinity;
     if (hint) improve(stripAt(rows_ ? hint->y : hint->x));
     if (best_ > enoughM_) return best_;
     if (best_ == 0) aim();
     const std::size_t first = stripAt(range_.alongLow);
     const std::size_t last = stripAt(range_.alongHigh);
-    const std::size_t level = field_.leafCount() / kBlockStrips;
     sweep(
         kBlock, first / kBlockStrips, last / kBlockStrips,
-        [&](std::size_t block) {
-          const DistanceField::Range* node = &field_.node(level + block);
-          return Float4{node[0].min, node[1].min, node[2].min, node[3].min};
-        },
+        [&](std::size_t block) { return load4(field_.leastOfBlocks().data() + block); },
         [&](std::size_t block) {
           const std::size_t begin = block * kBlockStrips;
           sweep(
@@ -345,7 +340,7 @@ public:
 private:
   /// Whether a strip of value <= 0 meets the viewport edge inside the wedge.
   [[nodiscard]] bool touchesViewportEdge() const {
-    if (field_.node(1).min > 0) return false;
+    if (field_.least(1) > 0) return false;
     double low = 0;
     double high = static_cast<double>(field_.size());
     for (const Form* form : {&wedge_.u, &wedge_.v, &wedge_.t}) {

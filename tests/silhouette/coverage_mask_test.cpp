@@ -34,7 +34,7 @@ TEST_CASE("a mask covers the pixels whose centres the model covers") {
     REQUIRE(fields[edge].at(10) == 10);
     REQUIRE(fields[edge].at(29) == 10);
     REQUIRE(fields[edge].at(30) == kNoSilhouette);
-    REQUIRE(fields[edge].node(1).min == 10);
+    REQUIRE(fields[edge].least(1) == 10);
   }
 }
 

@@ -42,7 +42,7 @@ TEST_CASE("an empty scene has empty fields") {
   const DistanceFields fields = produced(scene, View(camera, 300, 200, scene.bounds));
   REQUIRE(fields.widthPx == 300);
   REQUIRE(fields.heightPx == 200);
-  for (const ViewportEdge edge : kViewportEdges) REQUIRE(fields[edge].node(1).min == kNoSilhouette);
+  for (const ViewportEdge edge : kViewportEdges) REQUIRE(fields[edge].least(1) == kNoSilhouette);
   REQUIRE(fields[ViewportEdge::kLeft].size() == 200);
   REQUIRE(fields[ViewportEdge::kTop].size() == 300);
 }
@@ -61,7 +61,7 @@ TEST_CASE("a box seen from the front, by hand") {
   REQUIRE(fields[ViewportEdge::kTop].at(31) == kNoSilhouette);
   REQUIRE(fields[ViewportEdge::kLeft].at(8) == kNoSilhouette);
   REQUIRE(fields[ViewportEdge::kLeft].at(31) == kNoSilhouette);
-  REQUIRE(fields[ViewportEdge::kLeft].node(1).min == fields[ViewportEdge::kLeft].at(20));
+  REQUIRE(fields[ViewportEdge::kLeft].least(1) == fields[ViewportEdge::kLeft].at(20));
 }
 
 TEST_CASE("a slanted edge gives each strip its extreme over the whole strip") {
@@ -133,7 +133,7 @@ TEST_CASE("what lies behind the viewer or beside the viewport is not seen") {
   camera.eye = {0, 0, 20};
   camera.target = {0, 0, 0};
   const DistanceFields fields = produced(scene, View(camera, 200, 150, scene.bounds));
-  for (const ViewportEdge edge : kViewportEdges) REQUIRE(fields[edge].node(1).min == kNoSilhouette);
+  for (const ViewportEdge edge : kViewportEdges) REQUIRE(fields[edge].least(1) == kNoSilhouette);
 }
 
 TEST_CASE("a mesh flattened to nothing is seen as the sheet that it is") {

@@ -63,12 +63,12 @@ TEST_CASE("a field that was reset is empty, tree and all") {
   for (const std::size_t size : {1, 2, 3, 64, 65, 1000, 7}) {
     field.reset(size);
     REQUIRE(field.size() == size);
-    REQUIRE(field.leafCount() >= size);
+    REQUIRE(field.leafCount() * DistanceField::kBlockStrips >= size);
     REQUIRE(field.min(0, size - 1) == kNoSilhouette);
     REQUIRE(field.max(0, size - 1) == kNoSilhouette);
     field.edit()[size / 2] = 3;
     field.buildTree();
-    REQUIRE(field.node(1).min == 3);
+    REQUIRE(field.least(1) == 3);
   }
 }
 
@@ -121,8 +121,8 @@ TEST_CASE("pulling strips in mends the tree exactly as building it anew") {
     built.buildTree();
     for (std::size_t i = 0; i < built.size(); ++i) REQUIRE(mended.at(i) == built.at(i));
     for (std::size_t i = 1; i < 2 * built.leafCount(); ++i) {
-      REQUIRE(mended.node(i).min == built.node(i).min);
-      REQUIRE(mended.node(i).max == built.node(i).max);
+      REQUIRE(mended.least(i) == built.least(i));
+      REQUIRE(mended.greatest(i) == built.greatest(i));
     }
   }
 }
@@ -143,8 +143,8 @@ TEST_CASE("padding a single strip gives a disc swept over its height") {
   REQUIRE(left.at(25) == Approx(50 - 3));
   REQUIRE(left.at(26) == kNoSilhouette);  // 5 px away at the least: touched in no more than its border
   REQUIRE(left.at(14) == kNoSilhouette);
-  REQUIRE(padded[ViewportEdge::kTop].node(1).min == kNoSilhouette);
-  REQUIRE(left.node(1).min == 45);
+  REQUIRE(padded[ViewportEdge::kTop].least(1) == kNoSilhouette);
+  REQUIRE(left.least(1) == 45);
 }
 
 TEST_CASE("padding equals its definition on random fields") {
@@ -165,7 +165,7 @@ TEST_CASE("padding equals its definition on random fields") {
         REQUIRE(padded[edge].at(i) == Approx(expected).margin(1e-3));
         least = std::min(least, padded[edge].at(i));
       }
-      REQUIRE(padded[edge].node(1).min == least);
+      REQUIRE(padded[edge].least(1) == least);
     }
   }
 }
@@ -250,7 +250,7 @@ TEST_CASE("a thick line pulls the fields in to its outline") {
   REQUIRE(fields[ViewportEdge::kLeft].at(25) == kNoSilhouette);
   REQUIRE(fields[ViewportEdge::kTop].at(24) == kNoSilhouette);
   REQUIRE(fields[ViewportEdge::kTop].at(25) == Approx(20 - 3));  // up to 1 px into the cap of radius 5
-  REQUIRE(fields[ViewportEdge::kTop].node(1).min == 15);
+  REQUIRE(fields[ViewportEdge::kTop].least(1) == 15);
 }
 
 TEST_CASE("thick lines pull in to the exact extreme of each strip") {
@@ -296,7 +296,7 @@ TEST_CASE("what lies outside the viewport pulls nothing in") {
   pullIn(fields, Segment2{{10, 90}, {90, 80}}, 15);
   pullIn(fields, Box2{{105, 10}, {150, 50}}, 4);
   pullIn(fields, Box2{}, 4);
-  for (const ViewportEdge edge : kViewportEdges) REQUIRE(fields[edge].node(1).min == kNoSilhouette);
+  for (const ViewportEdge edge : kViewportEdges) REQUIRE(fields[edge].least(1) == kNoSilhouette);
   pullIn(fields, Box2{{104, 10}, {150, 50}}, 5);
   REQUIRE(fields[ViewportEdge::kRight].at(30) == 0);
   REQUIRE(fields[ViewportEdge::kLeft].at(30) == 99);
