@@ -50,8 +50,8 @@ endif()
 
 if(EMSCRIPTEN)
   # Who has SIMD has the conversions that do not trap, too: without them each one is a comparison and a branch.
-  add_compile_options(-msimd128 -mnontrapping-fptoint -flto -fno-rtti)
-  add_link_options(-flto -fno-rtti)
+  add_compile_options(-msimd128 -mbulk-memory -mnontrapping-fptoint -flto -fno-rtti)
+  add_link_options(-flto -fno-rtti -mbulk-memory)
   # -fno-rtti at the link too: it chooses the embind library whose type ids are those of code without RTTI.
   # The price: embind's messages cannot name a type that was never registered.
   add_compile_definitions(EMSCRIPTEN_HAS_UNBOUND_TYPE_NAMES=0)

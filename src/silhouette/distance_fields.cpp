@@ -3,6 +3,7 @@
 #include <bit>
 #include <cassert>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include "silhouette/float4.h"
@@ -147,34 +148,22 @@ void DistanceField::mendTree(std::size_t first, std::size_t last) {
   }
 }
 
-/// The values of the strips [first, last] folded into one; `nodes`: those of the tree, folded likewise.
-template <typename Fold>
-float DistanceField::fold(std::span<const float> nodes, std::size_t first, std::size_t last, float folded, Fold fold) const {
-  assert(first <= last && last < size_);
-  std::size_t low = leafCount_ + (first + kBlockStrips - 1) / kBlockStrips;   // whole blocks
-  std::size_t end = leafCount_ + (last + 1) / kBlockStrips;
-  const auto foldStrips = [&](std::size_t from, std::size_t to) {
-    for (std::size_t strip = from; strip < to; ++strip) folded = fold(folded, values_[strip]);
-  };
-  if (low >= end) {
-    foldStrips(first, last + 1);
-    return folded;
-  }
-  foldStrips(first, (low - leafCount_) * kBlockStrips);
-  foldStrips((end - leafCount_) * kBlockStrips, last + 1);
-  for (; low < end; low /= 2, end /= 2) {
-    if (low % 2 == 1) folded = fold(folded, nodes[low++]);
-    if (end % 2 == 1) folded = fold(folded, nodes[--end]);
-  }
-  return folded;
-}
-
 float DistanceField::min(std::size_t first, std::size_t last) const {
-  return fold(least_, first, last, kNoSilhouette, [](float a, float b) { return std::min(a, b); });
+  assert(first <= last && last < size_);
+  const auto leastFrom = [](const std::vector<float>& of, std::size_t from, std::size_t end, float least) {
+    return std::accumulate(of.begin() + static_cast<std::ptrdiff_t>(from), of.begin() + static_cast<std::ptrdiff_t>(end), least, [](float a, float b) { return std::min(a, b); });
+  };
+  const std::size_t block = (first + kBlockStrips - 1) / kBlockStrips, blocksEnd = (last + 1) / kBlockStrips;   // whole blocks
+  if (block >= blocksEnd) return leastFrom(values_, first, last + 1, kNoSilhouette);
+  float least = leastFrom(values_, first, block * kBlockStrips, kNoSilhouette);
+  least = leastFrom(least_, leafCount_ + block, leafCount_ + blocksEnd, least);
+  return leastFrom(values_, blocksEnd * kBlockStrips, last + 1, least);
 }
 
-float DistanceField::max(std::size_t first, std::size_t last) const {
-  return fold(greatest_, first, last, -kNoSilhouette, [](float a, float b) { return std::max(a, b); });
+float DistanceField::greatestOfBlocks(std::size_t first, std::size_t last) const {
+  assert(first <= last && last < size_);
+  const auto* leaves = greatest_.data() + leafCount_;
+  return *std::max_element(leaves + first / kBlockStrips, leaves + last / kBlockStrips + 1);
 }
 
 void DistanceFields::reset(int width, int height) {

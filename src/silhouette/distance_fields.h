@@ -50,9 +50,10 @@ public:
   void buildTree();
   void mendTree(std::size_t first, std::size_t last);
 
-  /// Least and greatest value over the strips [first, last], both included and inside the field.
+  /// The least value over the strips [first, last], both included and inside the field.
   [[nodiscard]] float min(std::size_t first, std::size_t last) const;
-  [[nodiscard]] float max(std::size_t first, std::size_t last) const;
+  /// No value over those strips is greater: the greatest over the blocks in which they lie, which is found sooner than theirs.
+  [[nodiscard]] float greatestOfBlocks(std::size_t first, std::size_t last) const;
 
   /// The tree itself, for queries that descend: node 1 is the root, node n has children 2n and 2n+1, and the leaves
   /// are the blocks, the last one filled up with empty strips, and empty ones up to leafCount() (a power of two).
@@ -63,9 +64,6 @@ public:
   [[nodiscard]] std::span<const float> leastOfBlocks() const { return std::span(least_).subspan(leafCount_, leafCount_); }
 
 private:
-  template <typename Fold>
-  [[nodiscard]] float fold(std::span<const float> nodes, std::size_t first, std::size_t last, float folded, Fold fold) const;
-
   std::size_t size_ = 0;
   std::size_t leafCount_ = 0;
   std::vector<float> values_;

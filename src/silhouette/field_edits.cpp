@@ -169,8 +169,8 @@ public:
     // line, a chain's member beside the others.
     leastLow_ = static_cast<float>(std::max(0.0, lowest));
     leastHigh_ = static_cast<float>(std::max(0.0, extentPx_ - highest));
-    editsLow_ = lowField_.max(strip, end - 1) > leastLow_;
-    editsHigh_ = highField_.max(strip, end - 1) > leastHigh_;
+    editsLow_ = lowField_.greatestOfBlocks(strip, end - 1) > leastLow_;
+    editsHigh_ = highField_.greatestOfBlocks(strip, end - 1) > leastHigh_;
     if (!editsLow_ && !editsHigh_) return;
     inside_ = lowest >= 0 && highest <= extentPx_;
     // Where both boundaries are straight and inside the viewport over a run of strips, it takes less.
