@@ -137,12 +137,12 @@ inline constexpr double kScoreFromBehindModel = -5.0 * kHandleSpacingPx;
 /// What it costs a line inside to measure a scope of which nothing is seen, and in proportion one that is hidden in part: the line is faint where the model is before it. More: in a row of windows the line
 /// goes from one to the next as they come into view.
 inline constexpr double kScoreHiddenScope = -10.0 * kHandleSpacingPx;
-/// Attempts at a moved frame in which a line looks for another place, each about as long as placing it; one in another order comes on top. More find more and cost more.
+/// Attempts at a moved frame in which a line looks for another place, each about half as long as placing it; one in another order comes on top. More find more and cost more.
 inline constexpr int kMendingAttempts = 3;
 /// One in so many attempts in another order goes back to the shortest first. Fewer: an order of long ago stays when it no longer helps. More: it costs time.
 inline constexpr int kShortestFirstEvery = 3;
 /// Attempts more at a frame in which lines run across others' extension lines, each drawn at random: who looks for another place, and the order, in which at most so many lines come before a shorter one. Fewer: more
-/// such lines, which stay for longer. More: a tenth fewer of them for twice as many; each costs a frame with such lines about as much time as placing it.
+/// such lines, which stay for longer. More: a tenth fewer of them, and a few changes of place more, for twice as many; each costs a frame with such lines about half as much time as placing it.
 inline constexpr int kShuffles = 24;
 inline constexpr std::size_t kMostPuts = 3;
 /// Before so many of its lines' turns it is kept how an attempt stands, so that another one that begins likewise goes on from there; about 20 kB each in a viewport of 1000x1000. More: it takes memory. Fewer: lines are placed
@@ -153,7 +153,7 @@ inline constexpr int kFirstPictureRounds = 2;
 /// Moved frames after which any line may look for a better place, though nothing is amiss with it.
 inline constexpr int kFramesToLookAround = 3;
 
-/// Moved frames on end for which a switch or a choice that had no room or was inside the model, a line not in plain view that gave way to others, or one that could come out to an object plane, must have had
+/// Moved frames on end for which a switch or a choice that had no room or was inside the model, a line not in plain view that gave way to others, one that had to go in a small viewport, or one that could come out to an object plane, must have had
 /// a better kind of place before it takes it. Fewer: it comes and goes where there is hardly any room, as in a view from near by. More: it is still missing when the movement ends.
 inline constexpr int kPatienceFrames = 15;
 /// Moved frames for which a line inside the model that is not in plain view stays where it has come, though it runs across another's extension line: more than a change that is taken back lasts. Fewer: some are shown

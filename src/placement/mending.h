@@ -49,7 +49,7 @@ struct Attempt {
 
 /// Whose place is looked at again. The paper's greedy order (4.5) leaves lines that run across others' extension lines where another order would not, and shifts many
 /// lines for the good of one. So lines stand firm from frame to frame as long as their places are any, and in each moved frame a few attempts let one line look
-/// for another place, with all that follows from it, or place the lines in another order; the best attempt is kept. A repair step, which the paper names as future work, spread over frames.
+/// for another place, with all that follows from it, or place the lines in another order; each goes on from the best one before it. A repair step, which the paper names as future work, spread over frames.
 class Mending {
  public:
   /// A moved frame begins.

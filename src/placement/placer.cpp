@@ -37,7 +37,7 @@ void Placer::forget() {
   past.sights.clear();
   past.view.reset();
   past.crowded = 0;
-  past.crowdedFrames = kReturnFrames;
+  past.framesWithRoom = 0;
 }
 
 void Placer::State::Choices::forget() {
@@ -290,21 +290,27 @@ std::size_t Placer::State::mostCrowded(const View& view) const {
   return roomFor >= editable ? 0 : std::min(editable - roomFor, order.size());
 }
 
-/// Places all lines, but as many of the shortest as have to go in a small viewport.
+/// Places all lines, but as many of the shortest as have to go in a small viewport. One of them comes back when there has been room for it for a while.
 void Placer::State::placeWithRoom(const FrameToPlace& frame, Layout& layout) {
   const std::size_t most = mostCrowded(frame.view);
   std::size_t crowded = std::min(past.crowded, most);
-  // Now and then it is tried whether one that was hidden has room again.
-  if (crowded > 0 && frame.viewMoved && past.crowdedFrames >= kReturnFrames) --crowded;
   if (most > 0) beforePlacing = past;
-  bool tooFew = false;
+  const bool mending = !avoided.empty();
+  if (crowded > 0 && frame.viewMoved && !mending) {
+    const bool hasRoom = !placeAllLines(frame, crowded - 1, layout);
+    past = beforePlacing;
+    past.framesWithRoom = hasRoom ? past.framesWithRoom + 1 : 0;
+    if (past.framesWithRoom == kPatienceFrames) {
+      past.framesWithRoom = 0;
+      --crowded;
+    }
+    beforePlacing = past;
+  }
   while (placeAllLines(frame, crowded, layout) && crowded < most) {
     past = beforePlacing;
     ++crowded;
-    tooFew = true;
   }
   past.crowded = crowded;
-  past.crowdedFrames = tooFew ? 0 : std::min(past.crowdedFrames + (frame.viewMoved ? 1 : 0), kReturnFrames);
 }
 
 /// Places beside what has been placed what is shown on demand. All that was there stays where it is.

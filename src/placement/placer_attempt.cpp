@@ -130,7 +130,7 @@ void Placer::State::goOnFromBest(std::size_t turn, Layout& layout) {
   occupied.goBackTo(then.occupied);
   outcome = then.outcome;
   past.crowded = bestPast.crowded;
-  past.crowdedFrames = bestPast.crowdedFrames;
+  past.framesWithRoom = bestPast.framesWithRoom;
   past.lookAhead.noteAgain(bestPast.lookAhead, then.noted);
   const auto rememberAgain = [&](const Measured& measured) { past.histories[measured.parameter] = bestPast.histories[measured.parameter]; };
   for (const Measured& other : others) rememberAgain(other);

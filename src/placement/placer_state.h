@@ -62,7 +62,7 @@ struct Placer::State {
     Mending mending;
     std::optional<View> view;         ///< of the last frame
     std::size_t crowded = 0;          ///< how many of the shortest lines are hidden for want of room
-    int crowdedFrames = kReturnFrames;   ///< moved frames since that many were found to be too few
+    int framesWithRoom = 0;           ///< moved frames on end in which there would have been room for one more of them
     bool sceneChanged = false;        ///< since the last frame
   };
   Past past;

@@ -79,25 +79,47 @@ TEST_CASE("in a viewport of another size, and the same shape, lines lie no furth
   }
 }
 
-TEST_CASE("who forgets, forgets as well how many lines were too many") {
-  // Width and Depth cross in the middle of the box, but for someone who looks along one of them.
+namespace {
+
+/// Width and Depth cross in the middle of the box, but for someone who looks along one of them.
+ModelDefinition boxWithCrossingLines() {
   ModelDefinition definition = boxWithDoor();
   definition.parameters[0].annotation = "@Handle(scope=Box, type=linear-center, orient=right, slip=none, occlusion=false)";
   definition.parameters[2].annotation = "@Handle(scope=Box, type=linear-center, orient=back, slip=none, occlusion=false)";
+  return definition;
+}
+
+std::ptrdiff_t crowdedIn(const Layout& layout) { return std::ranges::count(layout.hidden, HiddenReason::kCrowded, &HiddenParameter::reason); }
+
+}  // namespace
+
+TEST_CASE("who forgets, forgets as well how many lines were too many") {
+  const ModelDefinition definition = boxWithCrossingLines();
   const auto from = [](double azimuth, double elevation) { return orbitCamera({0, 1.5, 0}, 40, azimuth, elevation); };
-  const auto hiddenIn = [](const Layout& layout) {
-    return std::ranges::count(layout.hidden, HiddenReason::kCrowded, &HiddenParameter::reason);
-  };
   Stage fresh(definition);
-  const auto ofItself = hiddenIn(fresh.look(from(0, 0), 240, 160));
+  const auto ofItself = crowdedIn(fresh.look(from(0, 0), 240, 160));
   std::ptrdiff_t most = 0;
   for (double azimuth = 0; azimuth < 360; azimuth += 10) {
     Stage stage(definition);
-    most = std::max(most, hiddenIn(stage.look(from(azimuth, 60), 240, 160)));
+    most = std::max(most, crowdedIn(stage.look(from(azimuth, 60), 240, 160)));
     stage.placer.forget();
-    CHECK(hiddenIn(stage.look(from(0, 0), 240, 160)) == ofItself);
+    CHECK(crowdedIn(stage.look(from(0, 0), 240, 160)) == ofItself);
   }
   CHECK(most > ofItself);   // or nothing was there to be forgotten
+}
+
+TEST_CASE("a line that had to go in a small viewport comes back when there has been room for it for a while") {
+  Stage stage(boxWithCrossingLines());
+  const auto look = [&](double azimuth, double elevation) { return crowdedIn(stage.look(orbitCamera({0, 1.5, 0}, 40, azimuth, elevation), 240, 160)); };
+  const auto crowded = look(25, 20);
+  REQUIRE(crowded > 0);
+  for (int frame = 1; frame < kPatienceFrames; ++frame) CHECK(look(3 - 0.1 * frame, 2) == crowded);
+  CHECK(look(0, 2) < crowded);
+  // And not when the room was there for a moment only.
+  REQUIRE(look(25, 20) == crowded);
+  for (int frame = 1; frame < kPatienceFrames; ++frame) look(3 - 0.1 * frame, 2);
+  CHECK(look(25, 20) == crowded);
+  CHECK(look(3, 2) == crowded);
 }
 
 TEST_CASE("in a viewport that is too small the shortest lines are hidden until none runs into another, and never in one that is not") {
