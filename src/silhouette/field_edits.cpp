@@ -85,16 +85,20 @@ struct Boundary {
   Line straight;
   Interval peak;
 
-  /// The outermost place over each of the strips [strip, strip + 1], for four of them.
-  [[nodiscard]] Float4 over(Float4 strip) const {
+  /// The outermost place over each of four strips [strip, strip + 1], of which `first` is the first.
+  [[nodiscard]] Float4 over(double first) const {
     const auto clamp = [](Float4 at, Float4 low, Float4 high) { return min4(max4(at, low), high); };
+    const Float4 strip = splat(first) + kLanes;
     const Float4 outermost = clamp(clamp(strip, splat(peak.low), splat(peak.high)), strip, strip + 1.0F);
     const Float4 along = clamp(outermost, splat(firstAlong - radius), splat(lastAlong + radius));
     const auto arc = [&](double middleAlong, double middleAcross) {
       const Float4 off = along - splat(middleAlong);
       return splat(middleAcross) + splat(sign) * sqrt4(max4(splat(radius * radius) - off * off, splat4(0.0F)));
     };
-    const Float4 onStraight = splat(straight.start) + splat(straight.slope) * (along - splat(straight.from));
+    // From the strips on, not from the piece's own end: that may be so far outside the viewport that a float tells no pixels apart. And between its ends, since one that runs nearly straight across
+    // has a slope that makes anything of rounding.
+    const auto [lowEnd, highEnd] = std::minmax({straight.start, straight.at(straight.to)});
+    const Float4 onStraight = clamp(splat(straight.at(first)) + splat(straight.slope) * (along - splat(first)), splat(lowEnd), splat(highEnd));
     const Float4 notLate = choose4(along > splat(straight.to), arc(lastAlong, lastAcross), onStraight);
     return choose4(along < splat(straight.from), arc(firstAlong, firstAcross), notLate);
   }
@@ -215,13 +219,13 @@ private:
     const bool pullsLow = editsLow_ && lanesOf(lowBefore > splat4(leastLow_)) != 0;
     const bool pullsHigh = editsHigh_ && lanesOf(highBefore > splat4(leastHigh_)) != 0;
     if (!pullsLow && !pullsHigh) return;
-    const Float4 at = splat4(static_cast<float>(strip)) + kLanes;
+    const auto first = static_cast<double>(strip);
     const Float4 zero = splat4(0.0F);
     const Float4 extent = splat4(static_cast<float>(extentPx_));
-    const Float4 lowest = pullsLow || !inside_ ? shape.low.over(at) : zero;
-    const Float4 highest = pullsHigh || !inside_ ? shape.high.over(at) : extent;
+    const Float4 lowest = pullsLow || !inside_ ? shape.low.over(first) : zero;
+    const Float4 highest = pullsHigh || !inside_ ? shape.high.over(first) : extent;
     // The shape is connected over a strip, so it is seen there when its interval meets [0, extent].
-    const Int4 seen = (at < splat4(static_cast<float>(end))) & (highest >= zero) & (lowest <= extent);
+    const Int4 seen = (splat4(static_cast<float>(strip)) + kLanes < splat4(static_cast<float>(end))) & (highest >= zero) & (lowest <= extent);
     if (pullsLow) store4(low, choose4(seen, min4(lowBefore, max4(lowest, zero)), lowBefore));
     if (pullsHigh) store4(high, choose4(seen, min4(highBefore, max4(extent - highest, zero)), highBefore));
   }

@@ -199,9 +199,9 @@ TEST_CASE("a point that clears a padded field keeps the distance from all that t
 
 /// Holds fields that were empty before to a shape, given as the distance of a point from it less its radius: no point
 /// of the shape that is in the viewport is farther in than the field says, and what the field says is the place of
-/// some such point of the strip.
+/// some such point of the strip. Points within `skinPx` of its rim need not count.
 template <typename OutsideBy>
-void requireExtremes(const DistanceFields& fields, OutsideBy outsideBy) {
+void requireExtremes(const DistanceFields& fields, OutsideBy outsideBy, double skinPx = 1e-9) {
   constexpr int kPerPixel = 8;
   constexpr int kAlong = 32;
   const auto pointOf = [&](ViewportEdge edge, double along, double away) {
@@ -228,7 +228,7 @@ void requireExtremes(const DistanceFields& fields, OutsideBy outsideBy) {
         const double along = static_cast<double>(strip) + static_cast<double>(i) / kAlong;
         for (int j = 0; j <= fields.extentPx(edge) * kPerPixel && j < first * kPerPixel; ++j) {
           const double away = static_cast<double>(j) / kPerPixel;
-          if (outsideBy(pointOf(edge, along, away)) <= -1e-9) first = away;
+          if (outsideBy(pointOf(edge, along, away)) <= -skinPx) first = away;
         }
         if (!empty) nearest = std::min(nearest, outsideBy(pointOf(edge, along, value)));
       }
@@ -272,6 +272,28 @@ TEST_CASE("thick lines pull in to the exact extreme of each strip") {
     pullIn(fields, segment, radius);
     INFO("round " << round);
     requireExtremes(fields, [&](const Vec2& p) { return distanceBetween(p, segment) - radius; });
+  }
+}
+
+TEST_CASE("lines that lead far out of the viewport, or run nearly straight across it, pull in as exactly") {
+  const auto require = [](const Segment2& segment, double radius) {
+    DistanceFields fields;
+    fields.reset(40, 30);
+    fields.buildTrees();
+    pullIn(fields, segment, radius);
+    INFO(segment.start.x << ", " << segment.start.y << " to " << segment.end.x << ", " << segment.end.y);
+    requireExtremes(fields, [&](const Vec2& p) { return distanceBetween(p, segment) - radius; }, 1e-3);
+  };
+  for (const double far : {1e4, 1e6, 1e8}) {
+    require({{20, 15}, {far, 0.7 * far}}, 3);
+    require({{-far, 12}, {25, 18}}, 3);
+    require({{-far, -2 * far}, {far, 2 * far + 9}}, 4);
+  }
+  for (const double aside : {1e-3, 1e-5, 1e-7, 1e-9}) {
+    for (const double middle : {20.0, 20.0 + 0.5 * aside, 20.0 - 0.3 * aside}) {
+      require({{middle, 6}, {middle + aside, 24}}, 5);
+      require({{6, middle}, {30, middle - aside}}, 5);
+    }
   }
 }
 
