@@ -297,14 +297,13 @@ void Placer::State::placeWithRoom(const FrameToPlace& frame, Layout& layout) {
   if (most > 0) beforePlacing = past;
   const bool mending = !avoided.empty();
   if (crowded > 0 && frame.viewMoved && !mending) {
-    const bool hasRoom = !placeAllLines(frame, crowded - 1, layout);
-    past = beforePlacing;
-    past.framesWithRoom = hasRoom ? past.framesWithRoom + 1 : 0;
-    if (past.framesWithRoom == kPatienceFrames) {
-      past.framesWithRoom = 0;
+    int& framesWithRoom = beforePlacing.framesWithRoom;
+    framesWithRoom = placeAllLines(frame, crowded - 1, layout) ? 0 : framesWithRoom + 1;
+    if (framesWithRoom == kPatienceFrames) {
+      framesWithRoom = 0;
       --crowded;
     }
-    beforePlacing = past;
+    past = beforePlacing;
   }
   while (placeAllLines(frame, crowded, layout) && crowded < most) {
     past = beforePlacing;

@@ -72,11 +72,6 @@ void recycle(std::vector<Thing>& list, std::vector<Thing>& spare, std::size_t mo
 
 /// Places all lines but the `crowded` shortest, and before them the handles of which all others keep clear. Returns whether a line runs into another.
 bool Placer::State::placeAllLines(const FrameToPlace& frame, std::size_t crowded, Layout& layout) {
-  beginLines(frame, layout);
-  return placeFrom(0, frame, crowded, layout);
-}
-
-void Placer::State::beginLines(const FrameToPlace& frame, Layout& layout) {
   emptyLayout(layout);
   occupied.clear();
   // What is held stays where it is: shorter lines come before it, but must leave it room.
@@ -85,6 +80,7 @@ void Placer::State::beginLines(const FrameToPlace& frame, Layout& layout) {
     if (hasOnePlace(other)) placeOther(other, frame, layout);
   }
   outcome.begin(order.size(), foresight.zooms());
+  return placeFrom(0, frame, crowded, layout);
 }
 
 void Placer::State::emptyLayout(Layout& layout) {
@@ -130,7 +126,6 @@ void Placer::State::goOnFromBest(std::size_t turn, Layout& layout) {
   occupied.goBackTo(then.occupied);
   outcome = then.outcome;
   past.crowded = bestPast.crowded;
-  past.framesWithRoom = bestPast.framesWithRoom;
   past.lookAhead.noteAgain(bestPast.lookAhead, then.noted);
   const auto rememberAgain = [&](const Measured& measured) { past.histories[measured.parameter] = bestPast.histories[measured.parameter]; };
   for (const Measured& other : others) rememberAgain(other);

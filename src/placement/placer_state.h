@@ -135,7 +135,6 @@ struct Placer::State {
 
   // placer_attempt.cpp
   bool placeAllLines(const FrameToPlace& frame, std::size_t crowded, Layout& layout);
-  void beginLines(const FrameToPlace& frame, Layout& layout);
   void emptyLayout(Layout& layout);
   [[nodiscard]] std::size_t turnsBetween() const { return order.size() / kMostKeptTurns + 1; }
   void makeRoomForTurns();

@@ -12,19 +12,13 @@ namespace dimline {
 
 namespace {
 
-/// The first of four lanes after folding them into it.
+/// The values of a block's strips folded into one, four at a time.
 template <typename Fold>
-float foldLanes(Float4 four, Fold fold) {
+float foldBlock(const float* values, Fold fold) {
+  Float4 four = load4(values);
+  for (std::size_t i = 4; i < DistanceField::kBlockStrips; i += 4) four = fold(four, load4(values + i));
   four = fold(four, pick4<2, 3, 0, 1>(four, four));
   return fold(four, pick4<1, 0, 3, 2>(four, four))[0];
-}
-
-/// The values of the strips [first, end) folded into one, four at a time: [first, end) is whole fours.
-template <typename Fold>
-float foldFours(const float* values, std::size_t first, std::size_t end, Fold fold) {
-  Float4 folded = load4(values + first);
-  for (std::size_t i = first + 4; i < end; i += 4) folded = fold(folded, load4(values + i));
-  return foldLanes(folded, fold);
 }
 
 /// A screen point as one field sees it: `along` its strips, and `away` from its viewport edge.
@@ -136,9 +130,9 @@ void DistanceField::mendTree(std::size_t first, std::size_t last) {
   std::size_t low = leafCount_ + first / kBlockStrips;
   std::size_t high = leafCount_ + std::min(last, size_ - 1) / kBlockStrips;
   for (std::size_t leaf = low; leaf <= high; ++leaf) {
-    const std::size_t begin = (leaf - leafCount_) * kBlockStrips;
-    least_[leaf] = foldFours(values_.data(), begin, begin + kBlockStrips, min4);
-    greatest_[leaf] = foldFours(values_.data(), begin, begin + kBlockStrips, max4);
+    const float* block = values_.data() + (leaf - leafCount_) * kBlockStrips;
+    least_[leaf] = foldBlock(block, min4);
+    greatest_[leaf] = foldBlock(block, max4);
   }
   for (low /= 2, high /= 2; low > 0; low /= 2, high /= 2) {
     for (std::size_t node = low; node <= high; ++node) {
