@@ -134,16 +134,20 @@ inline constexpr double kScoreBehindModel = -45.0 * kHandleSpacingPx;
 inline constexpr double kScoreStaysBehindModel = -10.0 * kHandleSpacingPx;
 /// What it costs a new place outside to measure such a base line: its extension lines come from behind the model, and it seems to measure what they come out from. More: lines go further for it.
 inline constexpr double kScoreFromBehindModel = -5.0 * kHandleSpacingPx;
+/// The same in a first picture, and for a chain there: nobody has seen its lines elsewhere, and it is looked at for long, while in a movement edges are hidden and seen again with every degree.
+inline constexpr double kScoreFromBehindModelAtFirst = -30.0 * kHandleSpacingPx;
 /// What it costs a line inside to measure a scope of which nothing is seen, and in proportion one that is hidden in part: the line is faint where the model is before it. More: in a row of windows the line
 /// goes from one to the next as they come into view.
 inline constexpr double kScoreHiddenScope = -10.0 * kHandleSpacingPx;
 /// Attempts at a moved frame in which a line looks for another place, each about half as long as placing it; one in another order comes on top. More find more and cost more.
-inline constexpr int kMendingAttempts = 3;
+inline constexpr std::size_t kMendingAttempts = 3;
 /// One in so many attempts in another order goes back to the shortest first. Fewer: an order of long ago stays when it no longer helps. More: it costs time.
 inline constexpr int kShortestFirstEvery = 3;
 /// Attempts more at a frame in which lines run across others' extension lines, each drawn at random: who looks for another place, and the order, in which at most so many lines come before a shorter one. Fewer: more
 /// such lines, which stay for longer. More: a tenth fewer of them, and a few changes of place more, for twice as many; each costs a frame with such lines about half as much time as placing it.
 inline constexpr int kShuffles = 24;
+/// The same in a first picture, which is placed once and is looked at for long. More: it is there later, by half as much time as placing it takes for each.
+inline constexpr int kShufflesOfFirstPicture = 60;
 inline constexpr std::size_t kMostPuts = 3;
 /// Before so many of its lines' turns it is kept how an attempt stands, so that another one that begins likewise goes on from there; about 20 kB each in a viewport of 1000x1000. More: it takes memory. Fewer: lines are placed
 /// again that come to the same.
@@ -245,6 +249,10 @@ inline constexpr double kScoreShadowsAhead = -2.0 * kHandleSpacingPx;
 /// px. A line that would move by more than this against its base line in one frame has no reason to stay (kScoreStay): a leap disturbs as much as another place.
 inline constexpr double kLeapPx = 40.0;
 inline constexpr double kScorePlane = 3.0 * kHandleSpacingPx;            ///< lambda 6
+
+/// per px. Beyond the paper: a line that has slid along itself, since its extension lines lead askew to it, lies beside another part of the model than its own and seems to measure that; such a px costs so much more
+/// than one straight away from the base line. More: lines go to edges that the model hides, or across extension lines, to lie beside their own.
+inline constexpr double kScoreAskew = -1.0;
 
 // --- Geometry ---------------------------------------------------------------------------------------------------------
 

@@ -24,8 +24,8 @@ std::optional<std::size_t> nextInTurn(std::size_t ranks, std::size_t& last, Fits
 
 }  // namespace
 
-void Outcome::begin(std::size_t ranks, bool zoomsNow) {
-  zooms = zoomsNow;
+void Outcome::begin(std::size_t ranks, const FrameKind& kind) {
+  frame = kind;
   worth = 0;
   changes = 0;
   returns = 0;
@@ -40,12 +40,13 @@ void Outcome::begin(std::size_t ranks, bool zoomsNow) {
 
 bool Outcome::betterThan(const Outcome& other) const {
   constexpr double kLeastGainPx = 1.0;
-  const double factor = zooms ? kAmissFactorZooming : 1.0;
+  const double factor = frame.zooms ? kAmissFactorZooming : 1.0;
   const auto amissPx = [&](const Outcome& outcome) { return factor * (kScoreTangle * outcome.tangles + kScoreNestedWrongly * outcome.nestedWrongly); };
   // What leaves the picture without any may change more; what would bring the first one in for fewer changes must save as many.
   const bool untangles = (tangles == 0) != (other.tangles == 0);
-  const double changePx = kScoreChange * (untangles ? kChangeShareToUntangle : 1.0);
-  const double returnPx = kScoreChange * kChangesOfReturn;
+  const double onePx = frame.isFirst ? 0.0 : kScoreChange;
+  const double changePx = onePx * (untangles ? kChangeShareToUntangle : 1.0);
+  const double returnPx = onePx * kChangesOfReturn;
   // For what is only ahead no more lines change: it may never come.
   double aheadPx = factor * kScoreTangle * (tanglesAhead - other.tanglesAhead);
   const bool changesForIt = aheadPx > 0 ? changes > other.changes && tangles >= other.tangles : changes < other.changes && tangles <= other.tangles;
@@ -61,14 +62,16 @@ void Mending::begin() {
 }
 
 std::optional<Attempt> Mending::next(const Outcome& outcome, bool shortestFirst) {
-  if (looks_ < kMendingAttempts) {
+  if (outcome.frame.isFirst) {
+    if (looks_ < outcome.outside.size()) return Attempt{.looks = looks_++};
+  } else if (looks_ < kMendingAttempts) {
     if (const auto rank = nextToLook(outcome)) return Attempt{.looks = rank};
     looks_ = kMendingAttempts;
   }
   if (!std::exchange(ordered_, true)) {
     if (const auto order = nextOrder(outcome, shortestFirst)) return order;
   }
-  if (shuffles_ == kShuffles || outcome.tangled.empty()) return std::nullopt;
+  if (shuffles_ == (outcome.frame.isFirst ? kShufflesOfFirstPicture : kShuffles) || outcome.tangled.empty()) return std::nullopt;
   ++shuffles_;
   return shuffle(outcome);
 }
@@ -76,7 +79,7 @@ std::optional<Attempt> Mending::next(const Outcome& outcome, bool shortestFirst)
 std::optional<std::size_t> Mending::nextToLook(const Outcome& outcome) {
   const std::size_t ranks = outcome.outside.size();
   // Nobody twice: what was not found in the first attempt is not found in the second.
-  const std::span looked(looked_.begin(), static_cast<std::size_t>(looks_));
+  const std::span looked(looked_.begin(), looks_);
   const auto outsideAnd = [&](const std::vector<char>& flags) {
     return [&](std::size_t rank) { return outcome.outside[rank] != 0 && flags[rank] != 0 && std::ranges::find(looked, rank) == looked.end(); };
   };
@@ -90,7 +93,7 @@ std::optional<std::size_t> Mending::nextToLook(const Outcome& outcome) {
     }
   }
   if (!found) found = nextInTurn(ranks, lastAmiss_, outsideAnd(outcome.amiss));
-  if (found) looked_[static_cast<std::size_t>(looks_++)] = *found;
+  if (found) looked_[looks_++] = *found;
   return found;
 }
 

@@ -11,9 +11,14 @@
 
 namespace dimline {
 
+struct FrameKind {
+  bool isFirst = false;         ///< nobody has seen one before it, so changes disturb nobody
+  bool zooms = false;           ///< the camera comes nearer or goes away
+};
+
 /// What came of placing a frame's lines one after the other, so that two attempts at one frame can be compared.
 struct Outcome {
-  bool zooms = false;           ///< the camera comes nearer or goes away
+  FrameKind frame;
   double worth = 0;             ///< px, the sum of what the chosen places are worth by themselves (Chooser::worth())
   double changes = 0;           ///< how many lines left their place of the last frame; a leap counts as kChangesOfLeap
   int returns = 0;              ///< how many of them went back to what they had left lately
@@ -29,7 +34,7 @@ struct Outcome {
   using Tangled = std::pair<std::size_t, std::size_t>;
   std::vector<Tangled> tangled;
 
-  void begin(std::size_t ranks, bool zoomsNow = false);
+  void begin(std::size_t ranks, const FrameKind& kind = {});
   /// By more than rounding.
   [[nodiscard]] bool betterThan(const Outcome& other) const;
 };
@@ -55,9 +60,9 @@ class Mending {
   /// A moved frame begins.
   void begin();
   /// What is to be tried next, nothing when that was all. `outcome`: of the best attempt so far; `shortestFirst`: whether it placed the shortest lines first.
-  /// First one line looks for another place: one that has just changed its place, since what pushed it may have a better place as well, or else, every kFramesToLookAround frames, any; otherwise
+  /// In a first picture each line looks for another place, one after the other. Later, first one line does: one that has just changed its place, since what pushed it may have a better place as well, or else, every kFramesToLookAround frames, any; otherwise
   /// those with which something is amiss, in turns. Then a line that went back to what it had left lately comes before who else has changed its place; or else, of two lines that are in a tangle,
-  /// the later one comes first, in turns; or, now and then, the shortest first again, if it is not so. Where any are in a tangle kShuffles attempts at random come last: of what
+  /// the later one comes first, in turns; or, now and then, the shortest first again, if it is not so. Where any are in a tangle kShuffles attempts at random (in a first picture kShufflesOfFirstPicture) come last: of what
   /// those in turns do not find they find as much as any other rule did, and they do not try the same in every frame.
   std::optional<Attempt> next(const Outcome& outcome, bool shortestFirst);
 
@@ -68,7 +73,7 @@ class Mending {
   std::size_t anyOf(std::size_t count) { return dice_() % count; }
 
   // At this frame so far.
-  int looks_ = 0;
+  std::size_t looks_ = 0;
   std::array<std::size_t, kMendingAttempts> looked_{};   ///< who looked, so many
   bool ordered_ = false;               ///< another order was asked for
   int shuffles_ = 0;

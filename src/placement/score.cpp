@@ -1,5 +1,7 @@
 #include "placement/score.h"
 
+#include <cmath>
+
 namespace dimline {
 
 namespace {
@@ -42,6 +44,11 @@ double score(const ScoreInput& in) {
 
 double scoreInside(const Segment2& base, const Vec2& scopeMiddle, Align align) {
   return kScoreLength * base.length() + kScoreAlign * alignTerm(base.middle() - scopeMiddle, align);
+}
+
+double askewPx(const Segment2& base, const Segment2& line) {
+  const double length = line.length();
+  return length > 0 ? std::abs(glm::dot(line.middle() - base.middle(), line.end - line.start)) / length : 0.0;
 }
 
 }  // namespace dimline

@@ -25,6 +25,9 @@ double score(const ScoreInput& input);
 /// from the scope's middle on screen to the base line's.
 double scoreInside(const Segment2& base, const Vec2& scopeMiddle, Align align);
 
+/// How far (px) a line has slid along itself from beside its base line: middle to middle, along its direction on screen. 0 where the extension lines are at right angles to it. Beyond the paper, see kScoreAskew.
+double askewPx(const Segment2& base, const Segment2& line);
+
 /// The preferred direction on screen, unit length; zero for none.
 Vec2 direction(Align align);
 

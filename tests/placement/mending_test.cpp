@@ -141,10 +141,10 @@ TEST_CASE("more may change for a picture in which no line runs across something 
 TEST_CASE("a way back to what was left lately costs more than any other change, for a picture without a line that runs across something too") {
   for (const bool zooms : {false, true}) {
     Outcome amiss = allOutside();
-    amiss.begin(kRanks, zooms);
+    amiss.begin(kRanks, {.zooms = zooms});
     amiss.tangles = 1;
     Outcome moves = allOutside();
-    moves.begin(kRanks, zooms);
+    moves.begin(kRanks, {.zooms = zooms});
     moves.changes = 1;
     CHECK(moves.betterThan(amiss));
     moves.returns = 1;
@@ -155,7 +155,7 @@ TEST_CASE("a way back to what was left lately costs more than any other change, 
 TEST_CASE("while the camera comes nearer or goes away, a change is worth each line less that runs across something, however soon it will be over") {
   const auto with = [](int tangles, double changes, bool zooms) {
     Outcome outcome = allOutside();
-    outcome.begin(kRanks, zooms);
+    outcome.begin(kRanks, {.zooms = zooms});
     outcome.tangles = tangles;
     outcome.changes = changes;
     return outcome;
