@@ -134,8 +134,6 @@ inline constexpr double kScoreBehindModel = -45.0 * kHandleSpacingPx;
 inline constexpr double kScoreStaysBehindModel = -10.0 * kHandleSpacingPx;
 /// What it costs a new place outside to measure such a base line: its extension lines come from behind the model, and it seems to measure what they come out from. More: lines go further for it.
 inline constexpr double kScoreFromBehindModel = -5.0 * kHandleSpacingPx;
-/// The same in a first picture, and for a chain there: nobody has seen its lines elsewhere, and it is looked at for long, while in a movement edges are hidden and seen again with every degree.
-inline constexpr double kScoreFromBehindModelAtFirst = -30.0 * kHandleSpacingPx;
 /// What it costs a line inside to measure a scope of which nothing is seen, and in proportion one that is hidden in part: the line is faint where the model is before it. More: in a row of windows the line
 /// goes from one to the next as they come into view.
 inline constexpr double kScoreHiddenScope = -10.0 * kHandleSpacingPx;

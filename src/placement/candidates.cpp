@@ -130,11 +130,11 @@ void keep(const CandidateContext& context, const UsableBaseLine& base, Candidate
                                     chain ? 0.0 : context.leastPx, chain ? Vec2(0.0) : context.textSize});
     // No place is begun for its last moments, and a line inside the model does not come out for a moment.
     if (isShownAnewInVain(context, prospect) || prospect.lastMoments || (prospect.brief && (context.history.wasInside() || (context.lasting && context.foresight.zooms())))) return;
-    const bool behind = chain ? context.firstPicture && turnedAway(base.line, context.view, 0.0) : isBehindModel(context, base);
+    const bool behind = !chain && isBehindModel(context, base);
     if (behind && prospect.brief && context.seenInside) return;
     candidate.score += prospect.price;
     if (!chain && isFading(context, candidate.scope)) candidate.score += kScoreFadingScope;
-    if (behind) candidate.score += context.firstPicture ? kScoreFromBehindModelAtFirst : kScoreFromBehindModel;
+    if (behind) candidate.score += kScoreFromBehindModel;
   }
   candidates.push_back(candidate);
 }

@@ -73,7 +73,6 @@ struct CandidateContext {
   double leastPx = 0;                  ///< length on screen of the shortest line that is shown
   const Identity* only = nullptr;      ///< the one candidate that is looked for; null: all are
   const Identity* avoid = nullptr;     ///< a candidate that is left out
-  bool firstPicture = false;           ///< there was no frame before that was seen
   bool lasting = false;                ///< while the camera comes nearer or goes away, new places that it takes away soon are left out
   bool showAll = false;                ///< a line that is shown for its last moments, or of a scope that nobody sees, is better than none
   std::span<const Sight> sights = {};  ///< one a scope: how much of it is seen

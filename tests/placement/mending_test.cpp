@@ -299,6 +299,30 @@ TEST_CASE("a frame has a bounded number of attempts") {
   CHECK(attemptsAt(mending, outcome).size() == kMendingAttempts);
 }
 
+TEST_CASE("in a first picture every line looks for another place, once, and more is tried where lines are in a tangle") {
+  Outcome outcome = allOutside();
+  outcome.frame.isFirst = true;
+  outcome.outside[3] = 0;   // one inside the model may come out
+  Mending mending;
+  const std::vector<Attempt> attempts = attemptsAt(mending, outcome);
+  CHECK(looksOf(attempts) == std::vector<std::size_t>{0, 1, 2, 3});
+  CHECK(attempts.size() == kRanks);
+  outcome.tangled = {{0, 2}};
+  CHECK(attemptsAt(mending, outcome).size() == kRanks + 1 + kShufflesOfFirstPicture);
+}
+
+TEST_CASE("in a first picture changes cost nothing, nor do ways back") {
+  Outcome stays = allOutside();
+  stays.frame.isFirst = true;
+  Outcome moves = stays;
+  moves.changes = 3;
+  moves.returns = 1;
+  moves.worth = 2;
+  CHECK(moves.betterThan(stays));
+  moves.worth = 0;
+  CHECK_FALSE(moves.betterThan(stays));
+}
+
 TEST_CASE("when all is well, a line looks around now and then, each in its turn") {
   const Outcome outcome = allOutside();
   Mending mending;

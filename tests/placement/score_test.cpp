@@ -57,6 +57,17 @@ TEST_CASE("a candidate on its base line has no direction, so alignment says noth
   CHECK(score(in) == Approx(0.02 * 100.0));
 }
 
+TEST_CASE("a line is askew by how far it has slid along itself, not by how far it lies away") {
+  const Segment2 base{{100, 100}, {100, 200}};
+  CHECK(askewPx(base, {{140, 100}, {140, 200}}) == 0);
+  CHECK(askewPx(base, {{140, 130}, {140, 210}}) == Approx(20.0));   // of another length: middle to middle
+  CHECK(askewPx(base, {{140, 70}, {140, 170}}) == Approx(30.0));    // the other way
+  CHECK(askewPx(base, {{140, 170}, {140, 70}}) == Approx(30.0));    // the other way round
+  // Along (3, 4) / 5, by (50, 0): 30 along it, 40 away from it.
+  CHECK(askewPx({{0, 0}, {30, 40}}, {{50, 0}, {80, 40}}) == Approx(30.0));
+  CHECK(askewPx(base, {{140, 120}, {140, 120}}) == 0);              // no direction
+}
+
 TEST_CASE("inside, only length and the direction from the scope's middle count") {
   const Segment2 base{{100, 100}, {100, 200}};
   CHECK(scoreInside(base, {50, 150}, Align::kNone) == Approx(2.0));
