@@ -40,7 +40,7 @@ void Outcome::begin(std::size_t ranks, const FrameKind& kind) {
 
 bool Outcome::betterThan(const Outcome& other) const {
   constexpr double kLeastGainPx = 1.0;
-  const double factor = frame.zooms || frame.isFirst ? kAmissFactorZooming : 1.0;
+  const double factor = frame.zooms || frame.isFirst ? kAmissFactor : 1.0;
   const auto amissPx = [&](const Outcome& outcome) { return factor * (kScoreTangle * outcome.tangles + kScoreNestedWrongly * outcome.nestedWrongly); };
   // What leaves the picture without any may change more; what would bring the first one in for fewer changes must save as many.
   const bool untangles = (tangles == 0) != (other.tangles == 0);

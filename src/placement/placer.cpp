@@ -165,7 +165,7 @@ void Placer::place(const View& view, const DistanceFields& fields, const Values&
   // In a first picture there is nothing to keep, but what is amiss can be mended.
   s.firm = firm || (first && held.empty());
   s.occupied.begin(fields);
-  // In a first picture nothing is known of what is ahead, and little is mended: more rounds of the same view make up for that.
+  // In a first picture nothing is known of what is ahead: another round of the same view makes up for that.
   const int rounds = first && held.empty() ? kFirstPictureRounds : 1;
   s.opening = s.asksForRoom = rounds > 1;
   s.placeOnce(frame, sceneChanged, true, layout);
