@@ -5,6 +5,7 @@ import { FloatingBox, kFartherCost, overlap, setText } from "./floating_box.js";
 
 const kSentenceMs = 4000;
 const kAwayPx = 12; // from the edge of what it belongs to
+const kClosePx = 4; // to that, beside the little room that the box itself keeps: they look like one
 const kAboveFingerPx = 40;
 const kFartherPx = [0, 24, 56]; // from a mouse's arrow, where all near places are taken
 
@@ -40,9 +41,9 @@ export class Readout {
     const { x, y } = pointer;
     const whose = besidePointer ? [x - 1, y - 1, x + 1, y + 1] : text === name ? box : this.#sentence.at;
     const places = besidePointer ? this.#besidePointer(pointer) : this.#around(whose);
-    // Where the picture's edge would push it onto what it belongs to, it does not stand.
+    // Where the picture's edge would push it onto what it belongs to, or close to it, it does not stand.
     const [x0, y0, x1, y1] = whose;
-    const pushed = (covered) => overlap(covered, [x0 - 1, y0 - 1, x1 + 1, y1 + 1]) > 0;
+    const pushed = (covered) => overlap(covered, [x0 - kClosePx, y0 - kClosePx, x1 + kClosePx, y1 + kClosePx]) > 0;
     const costs = (covered, i) => (pushed(covered) ? Infinity : cost(covered) + kFartherCost * places[i][2]);
     this.#side = this.#box.placeClear(places, costs, this.#side);
   }

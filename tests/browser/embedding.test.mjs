@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { Buffer } from "node:buffer";
 import { after, before, test } from "node:test";
 import { tetrahedronGlb, tetrahedronGltf } from "../support/tetrahedron.mjs";
-import { fingersOf, gripOf } from "./support/handles.mjs";
+import { emptyPlaces, fingersOf, gripOf } from "./support/handles.mjs";
 import { call, cameraOf, launch, layoutOf, openPage, pageUrl, pictureBox, settle, valueOf } from "./support/page.mjs";
 
 let browser;
@@ -289,7 +289,6 @@ test("a page may let fingers scroll it, but for one that holds an arrow, and for
       await settle(page);
     };
     const scrolled = () => page.evaluate(() => window.scrollY);
-    const corner = [30, 90]; // of the picture: nothing is there
     const camera = await cameraOf(page);
     const { line, outward, at } = await gripOf(page, "Floors");
     assert.ok(Math.abs(outward[1]) > 0.9, "the arrow points up or down");
@@ -299,18 +298,20 @@ test("a page may let fingers scroll it, but for one that holds an arrow, and for
     assert.notEqual(await valueOf(page, "Floors"), line.value);
     assert.deepEqual(await cameraOf(page), camera);
 
-    const low = [corner, [corner[0] + 100, corner[1]]].map(([x, y]) => [x, y + 400]);
-    await move(low, low.map(([x, y]) => [x, y - 200]));
+    const two = await emptyPlaces(page, 2);
+    await move(two, two.map(([x, y]) => [x, y - 200]));
     assert.equal(await scrolled(), 0, "two fingers");
     assert.notDeepEqual(await cameraOf(page), camera);
 
     const panned = await cameraOf(page);
-    await move([corner], [[corner[0] + 150, corner[1] + 10]]);
+    const [aside] = await emptyPlaces(page, 1);
+    await move([aside], [[aside[0] + 150, aside[1] + 10]]);
     assert.equal(await scrolled(), 0, "a finger that moves sideways");
     assert.notDeepEqual(await cameraOf(page), panned);
 
     const turned = await cameraOf(page);
-    await move([[corner[0], corner[1] + 250]], [corner]);
+    const [upwards] = await emptyPlaces(page, 1);
+    await move([upwards], [[upwards[0], upwards[1] - 250]]);
     assert.ok((await scrolled()) > 100, "a finger that moves upwards");
     assert.deepEqual(await cameraOf(page), turned);
   }));

@@ -101,6 +101,7 @@ test("the cursor shows which way the line goes, at rest and while it is dragged"
     assert.equal(await cursorOf(page), cursor);
     await page.keyboard.press("Escape");
     await page.mouse.up();
+    await settle(page);
   }
   assert.ok(seen.size >= 2);
   await page.mouse.move(...(await labelOf(page, "Width")));

@@ -64,6 +64,25 @@ export function arcGripOf({ handles, anchor }, picture) {
   return { at: turned(0), turned };
 }
 
+/** Places in the window, at least 100 px apart, at which fingers take hold of nothing: in the picture, far from arrows, numbers and pills. */
+export async function emptyPlaces(page, count) {
+  const picture = await pictureBox(page);
+  const { lines, others } = await layoutOf(page);
+  const taken = [...lines, ...others].flatMap(({ handles, label, box }) => [...handles.map(({ screen: [x, y] }) => [x, y, x, y]), ...(label ? [label.box] : []), ...(box ? [box] : [])]);
+  const away = ([x, y]) => Math.min(...taken.map(([x0, y0, x1, y1]) => Math.hypot(Math.max(x0 - x, x - x1, 0), Math.max(y0 - y, y - y1, 0))));
+  const places = [];
+  for (let x = 30; x < picture.width - 20; x += 10) {
+    for (let y = 30; y < picture.height - 20; y += 10) places.push([x, y]);
+  }
+  places.sort((a, b) => away(b) - away(a));
+  const found = [];
+  for (const place of places) {
+    if (found.length < count && found.every((other) => distance(place, other) >= 100)) found.push(place);
+  }
+  assert.ok(found.length === count && found.every((place) => away(place) > 44), "a picture has empty places");
+  return found.map(([x, y]) => [picture.x + x, picture.y + y]);
+}
+
 /**
  * Fingers on the screen, by the browser's own input. Each call has where they are, always in the same order, null for one that it is not about; lift() lifts
  * those that it is given, up() all.
