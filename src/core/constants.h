@@ -122,8 +122,8 @@ inline constexpr double kChangeShareToUntangle = 0.4;
 inline constexpr double kScoreTangle = -20.0 * kHandleSpacingPx;
 inline constexpr double kScoreNestedWrongly = -40.0 * kHandleSpacingPx;
 inline constexpr double kScoreInside = -40.0 * kHandleSpacingPx;
-/// The first two cost by so much more while the camera comes nearer or goes away, and in a first picture: what is amiss lasts long then, and lines move for other reasons anyway, or have not been seen. Less: it lasts while the picture grows. More: more
-/// changes, some of which are taken back.
+/// The first two cost by so much more while the camera comes nearer or goes away, and in a first picture: what is amiss lasts long then, and lines move for other reasons
+/// anyway, or have not been seen. Less: it lasts while the picture grows. More: more changes, some of which are taken back.
 inline constexpr double kAmissFactor = 2.5;
 /// What it costs a line inside the model to run across another's extension line, through a label, or into a line inside that is still to be placed: more than staying is worth, since
 /// its other base lines are near by.
@@ -144,8 +144,9 @@ inline constexpr int kShortestFirstEvery = 3;
 /// Attempts more at a frame in which lines run across others' extension lines, each drawn at random: who looks for another place, and the order, in which at most so many lines come before a shorter one. Fewer: more
 /// such lines, which stay for longer. More: a tenth fewer of them, and a few changes of place more, for twice as many; each costs a frame with such lines about half as much time as placing it.
 inline constexpr int kShuffles = 24;
-/// The same in a first picture, which is placed once and is looked at for long. More: it is there later.
+/// The same in a first picture, which is placed once and is looked at for long, and of how many lines each looks for another place there, the shortest. More: it is there later.
 inline constexpr int kShufflesOfFirstPicture = 60;
+inline constexpr std::size_t kLooksOfFirstPicture = 60;
 inline constexpr std::size_t kMostPuts = 3;
 /// Before so many of its lines' turns it is kept how an attempt stands, so that another one that begins likewise goes on from there; about 20 kB each in a viewport of 1000x1000. More: it takes memory. Fewer: lines are placed
 /// again that come to the same.

@@ -63,7 +63,7 @@ void Mending::begin() {
 
 std::optional<Attempt> Mending::next(const Outcome& outcome, bool shortestFirst) {
   if (outcome.frame.isFirst) {
-    if (looks_ < outcome.outside.size()) return Attempt{.looks = looks_++};
+    if (looks_ < std::min(outcome.outside.size(), kLooksOfFirstPicture)) return Attempt{.looks = looks_++};
   } else if (looks_ < kMendingAttempts) {
     if (const auto rank = nextToLook(outcome)) return Attempt{.looks = rank};
     looks_ = kMendingAttempts;

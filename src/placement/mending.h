@@ -63,9 +63,9 @@ class Mending {
   void begin();
   /// What is to be tried next, nothing when that was all. `outcome`: of the best attempt so far; `shortestFirst`: whether it placed the shortest lines first.
   /// First one line looks for another place: one that has just changed its place, since what pushed it may have a better place as well, or else, every kFramesToLookAround frames, any; otherwise
-  /// those with which something is amiss, in turns. In a first picture each does, one after the other. Then a line that went back to what it had left lately comes before who else has changed its place; or else, of two lines that are in a tangle,
-  /// the later one comes first, in turns; or, now and then, the shortest first again, if it is not so. Where any are in a tangle kShuffles attempts at random (in a first picture kShufflesOfFirstPicture) come last: of what
-  /// those in turns do not find they find as much as any other rule did, and they do not try the same in every frame.
+  /// those with which something is amiss, in turns. In a first picture each does, one after the other, up to kLooksOfFirstPicture. Then a line that went back to what it had left lately comes before who else has
+  /// changed its place; or else, of two lines that are in a tangle, the later one comes first, in turns; or, now and then, the shortest first again, if it is not so. Where any are in a tangle kShuffles attempts at
+  /// random (in a first picture kShufflesOfFirstPicture) come last: of what those in turns do not find they find as much as any other rule did, and they do not try the same in every frame.
   std::optional<Attempt> next(const Outcome& outcome, bool shortestFirst);
 
  private:

@@ -311,6 +311,15 @@ TEST_CASE("in a first picture every line looks for another place, once, and more
   CHECK(attemptsAt(mending, outcome).size() == kRanks + 1 + kShufflesOfFirstPicture);
 }
 
+TEST_CASE("a first picture of very many lines has a bounded number of attempts") {
+  Outcome outcome;
+  outcome.begin(10 * kLooksOfFirstPicture, {.isFirst = true});
+  outcome.outside.assign(10 * kLooksOfFirstPicture, 1);
+  outcome.tangled = {{0, 2}};
+  Mending mending;
+  CHECK(attemptsAt(mending, outcome).size() == kLooksOfFirstPicture + 1 + kShufflesOfFirstPicture);
+}
+
 TEST_CASE("in a first picture changes cost nothing, nor do ways back") {
   Outcome stays = allOutside();
   stays.frame.isFirst = true;
