@@ -1,7 +1,7 @@
 // The camera under the visitor's hand: mouse, touch, wheel, keys and buttons.
 import assert from "node:assert/strict";
 import { after, before, beforeEach, test } from "node:test";
-import { fingersOf } from "./support/handles.mjs";
+import { fingersOf, freeSpot, freeWay } from "./support/handles.mjs";
 import { call, cameraOf, distance, launch, layoutOf, openPage, pictureBox, settle, valueOf } from "./support/page.mjs";
 
 let browser, tab, page, home, free;
@@ -17,51 +17,8 @@ after(async () => {
 beforeEach(async () => {
   await call(page, "setCamera", home);
   await settle(page);
-  free = await freeSpot(); // lines need not be back where they were
+  free = await freeSpot(page); // lines need not be back where they were
 });
-
-/** How far a point is from a box [x0, y0, x1, y1]. */
-const fromBox = ([x, y], [x0, y0, x1, y1]) => Math.hypot(Math.max(x0 - x, 0, x - x1), Math.max(y0 - y, 0, y - y1));
-
-/** How far a point of the picture is from the nearest handle, and whether it is on or near a number, a switch or a choice. */
-async function surroundings() {
-  const frame = await layoutOf(page);
-  const handles = [...frame.lines, ...frame.others].flatMap((shown) => shown.handles.map((handle) => handle.screen));
-  const boxes = [...frame.lines.flatMap(({ label }) => (label ? [label.box] : [])), ...frame.others.map(({ box }) => box)];
-  return (point, awayPx) => ({
-    clearance: Math.min(...handles.map((handle) => distance(handle, point))),
-    onBox: boxes.some((box) => fromBox(point, box) < awayPx),
-  });
-}
-
-/** A place in the picture, in the window's pixels, around which two fingers are far from every handle and on no number, switch or choice. */
-async function freeSpot() {
-  const box = await pictureBox(page);
-  const around = await surroundings();
-  let best = null;
-  for (let x = 60; x < box.width - 60; x += 20) {
-    for (let y = 60; y < box.height - 60; y += 20) {
-      const { clearance, onBox } = around([x, y], 45);
-      const toMiddle = Math.hypot(x - box.width / 2, y - box.height / 2);
-      if (clearance > 75 && !onBox && (!best || toMiddle < best.toMiddle)) best = { toMiddle, at: [box.x + x, box.y + y] };
-    }
-  }
-  return best.at;
-}
-
-/** The way of so many pixels, level or upright, from a place in the window to one where a finger touches nothing, and on which it stays in the picture when it goes on as far again. */
-async function freeWay([x, y], px) {
-  const box = await pictureBox(page);
-  const around = await surroundings();
-  const ways = [[px, 0], [-px, 0], [0, px], [0, -px]];
-  const way = ways.find(([dx, dy]) => {
-    const { clearance, onBox } = around([x + dx - box.x, y + dy - box.y], 25);
-    const inPicture = fromBox([x + 2 * dx, y + 2 * dy], [box.x, box.y, box.x + box.width, box.y + box.height]) === 0;
-    return inPicture && clearance > 40 && !onBox;
-  });
-  assert.ok(way, "a second finger has a free place");
-  return way;
-}
 
 async function mouseDrag(from, travel, options = {}) {
   const keys = options.keys ?? [];
@@ -173,7 +130,7 @@ test("a finger that came down on a switch orbits when it goes on, two of which o
   const turned = await cameraOf(page);
   assert.ok(Math.abs(azimuthDeg(turned) - azimuthDeg(home)) > 5);
   const at = await middle();
-  const way = await freeWay(at, 100);
+  const way = await freeWay(page, at, 100);
   await touchGesture([at, [at[0] + way[0], at[1] + way[1]]], [at, [at[0] + 2 * way[0], at[1] + 2 * way[1]]]);
   const zoom = range(turned) / range(await cameraOf(page));
   assert.ok(zoom > 1.5 && zoom < 3, `the picture grew by ${zoom}`);

@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { Buffer } from "node:buffer";
 import { after, before, test } from "node:test";
 import { tetrahedronGlb, tetrahedronGltf } from "../support/tetrahedron.mjs";
-import { emptyPlaces, fingersOf, gripOf } from "./support/handles.mjs";
+import { fingersOf, freeSpot, freeWay, gripOf } from "./support/handles.mjs";
 import { call, cameraOf, launch, layoutOf, openPage, pageUrl, pictureBox, settle, valueOf } from "./support/page.mjs";
 
 let browser;
@@ -298,19 +298,21 @@ test("a page may let fingers scroll it, but for one that holds an arrow, and for
     assert.notEqual(await valueOf(page, "Floors"), line.value);
     assert.deepEqual(await cameraOf(page), camera);
 
-    const two = await emptyPlaces(page, 2);
+    const first = await freeSpot(page, 1);
+    const [dx, dy] = await freeWay(page, first, 100);
+    const two = [first, [first[0] + dx, first[1] + dy]];
     await move(two, two.map(([x, y]) => [x, y - 200]));
     assert.equal(await scrolled(), 0, "two fingers");
     assert.notDeepEqual(await cameraOf(page), camera);
 
     const panned = await cameraOf(page);
-    const [aside] = await emptyPlaces(page, 1);
+    const aside = await freeSpot(page, 1);
     await move([aside], [[aside[0] + 150, aside[1] + 10]]);
     assert.equal(await scrolled(), 0, "a finger that moves sideways");
     assert.notDeepEqual(await cameraOf(page), panned);
 
     const turned = await cameraOf(page);
-    const [upwards] = await emptyPlaces(page, 1);
+    const upwards = await freeSpot(page, 1);
     await move([upwards], [[upwards[0], upwards[1] - 250]]);
     assert.ok((await scrolled()) > 100, "a finger that moves upwards");
     assert.deepEqual(await cameraOf(page), turned);

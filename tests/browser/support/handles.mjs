@@ -64,23 +64,54 @@ export function arcGripOf({ handles, anchor }, picture) {
   return { at: turned(0), turned };
 }
 
-/** Places in the window, at least 100 px apart, at which fingers take hold of nothing: in the picture, far from arrows, numbers and pills. */
-export async function emptyPlaces(page, count) {
-  const picture = await pictureBox(page);
-  const { lines, others } = await layoutOf(page);
-  const taken = [...lines, ...others].flatMap(({ handles, label, box }) => [...handles.map(({ screen: [x, y] }) => [x, y, x, y]), ...(label ? [label.box] : []), ...(box ? [box] : [])]);
-  const away = ([x, y]) => Math.min(...taken.map(([x0, y0, x1, y1]) => Math.hypot(Math.max(x0 - x, x - x1, 0), Math.max(y0 - y, y - y1, 0))));
-  const places = [];
-  for (let x = 30; x < picture.width - 20; x += 10) {
-    for (let y = 30; y < picture.height - 20; y += 10) places.push([x, y]);
+/** How far a point is from a box [x0, y0, x1, y1]. */
+const fromBox = ([x, y], [x0, y0, x1, y1]) => Math.hypot(Math.max(x0 - x, 0, x - x1), Math.max(y0 - y, 0, y - y1));
+
+/** How far a point of the picture is from the nearest handle, and whether it is on or near a number, a switch or a choice. */
+async function surroundings(page) {
+  const frame = await layoutOf(page);
+  const handles = [...frame.lines, ...frame.others].flatMap((shown) => shown.handles.map((handle) => handle.screen));
+  const boxes = [...frame.lines.flatMap(({ label }) => (label ? [label.box] : [])), ...frame.others.map(({ box }) => box)];
+  return (point, awayPx) => ({
+    clearance: Math.min(...handles.map((handle) => distance(handle, point))),
+    onBox: boxes.some((box) => fromBox(point, box) < awayPx),
+  });
+}
+
+// px from the next handle, and from numbers, switches and choices, at which one finger, and two beside each other, touch nothing.
+const kOneFinger = { fromHandlePx: 40, fromBoxPx: 25 };
+const kTwoFingers = { fromHandlePx: 75, fromBoxPx: 45 };
+
+/** A place in the picture, in the window's pixels, near its middle, at which so many fingers, one or two, are far from every handle and on no number, switch or choice. */
+export async function freeSpot(page, fingers = 2) {
+  const { fromHandlePx, fromBoxPx } = fingers === 1 ? kOneFinger : kTwoFingers;
+  const box = await pictureBox(page);
+  const around = await surroundings(page);
+  let best = null;
+  for (let x = 60; x < box.width - 60; x += 20) {
+    for (let y = 60; y < box.height - 60; y += 20) {
+      const { clearance, onBox } = around([x, y], fromBoxPx);
+      const toMiddle = Math.hypot(x - box.width / 2, y - box.height / 2);
+      if (clearance > fromHandlePx && !onBox && (!best || toMiddle < best.toMiddle)) best = { toMiddle, at: [box.x + x, box.y + y] };
+    }
   }
-  places.sort((a, b) => away(b) - away(a));
-  const found = [];
-  for (const place of places) {
-    if (found.length < count && found.every((other) => distance(place, other) >= 100)) found.push(place);
-  }
-  assert.ok(found.length === count && found.every((place) => away(place) > 44), "a picture has empty places");
-  return found.map(([x, y]) => [picture.x + x, picture.y + y]);
+  assert.ok(best, "the picture has a free place");
+  return best.at;
+}
+
+/** The way of so many pixels, level or upright, from a place in the window to one where a finger touches nothing, and on which it stays in the picture when it goes on as far again. */
+export async function freeWay(page, [x, y], px) {
+  const { fromHandlePx, fromBoxPx } = kOneFinger;
+  const box = await pictureBox(page);
+  const around = await surroundings(page);
+  const ways = [[px, 0], [-px, 0], [0, px], [0, -px]];
+  const way = ways.find(([dx, dy]) => {
+    const { clearance, onBox } = around([x + dx - box.x, y + dy - box.y], fromBoxPx);
+    const inPicture = fromBox([x + 2 * dx, y + 2 * dy], [box.x, box.y, box.x + box.width, box.y + box.height]) === 0;
+    return inPicture && clearance > fromHandlePx && !onBox;
+  });
+  assert.ok(way, "a second finger has a free place");
+  return way;
 }
 
 /**
