@@ -20,6 +20,10 @@ constexpr double kVisibilityIntervalMs = 60.0;
 /// is asked after so long.
 constexpr double kVisibilityPatienceMs = 250.0;
 
+/// ms. A movement by wheel, by keys or by a host has no end that anyone tells of: it is over when the camera has stood still for so long. Less: lines settle between two turns of
+/// a wheel. More: they do when someone reads them already.
+constexpr double kSettleAfterMs = 350.0;
+
 }  // namespace
 
 bool Editor::frame(double nowMs) {
@@ -49,7 +53,7 @@ bool Editor::atRest() const {
   if (!s.hasSize()) return true;
   if (s.handleGesture && s.handleGesture->moved) return false;
   return !s.viewStale && !s.visibilityStale && s.fieldSource.current() && !s.fieldSource.pending() &&
-         s.animator.atRest() && s.handleAnimator.atRest() && !s.hoverAnimating() && !s.marksToLearn && !s.wantsBetterPicture() && !(s.renderer && s.pictureStale);
+         !s.unsettled() && s.animator.atRest() && s.handleAnimator.atRest() && !s.hoverAnimating() && !s.marksToLearn && !s.wantsBetterPicture() && !(s.renderer && s.pictureStale);
 }
 
 void Editor::State::rebuild() {
@@ -98,6 +102,17 @@ void Editor::State::measureAndPlace(const View& view) {
     // once more.
     placeOn(fieldSource.view(), true);
   }
+  settleLines(moved);
+}
+
+/// Lets lines find the places in which they rest once a movement has ended: at once when a hand lets go of the camera.
+void Editor::State::settleLines(bool moved) {
+  const bool holds = handleGesture || cameraGesture;
+  if (moved) settleMs = nowMs + kSettleAfterMs;
+  if (std::exchange(inHand, holds) && !holds) settleMs = nowMs;
+  if (!unsettled() || nowMs < settleMs || !placedOnce || !fieldSource.current() || visibilityStale) return;
+  placer.settle();
+  placeOn(fieldSource.view(), false);
 }
 
 /// Which scopes are seen: at once where the last answer will not do, otherwise when it is due.

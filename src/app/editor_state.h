@@ -75,6 +75,7 @@ struct Editor::State {
   Camera camera;
   bool cameraUntouched = true;  ///< nobody chose it: it is fitted anew when the viewport gets its size
   bool compositionDue = false;  ///< it was fitted to the model alone; the lines come into it with the next frame
+  bool composedAsIs = false;    ///< the lines came into the picture with it, and nobody has moved it since: they have settled
   bool viewStale = true;        ///< camera, viewport or scene changed since fields were asked for
 
   // --- Gestures ---
@@ -94,6 +95,8 @@ struct Editor::State {
   double visibilityStaleMs = 0;  ///< since when there was no answer, not even of an earlier view
   bool restedLastFrame = true;
   Placer placer;
+  double settleMs = 0;  ///< when the lines are to settle, unless the camera moves on
+  bool inHand = false;  ///< in the last frame a pointer held a handle or the camera
   Layout placed;  ///< as the placer gave it, with the dragged lines held
   std::vector<PlacedLine> heldLines;
   Layout drawn;
@@ -175,6 +178,8 @@ struct Editor::State {
   // editor_frame.cpp
   void rebuild();
   void measureAndPlace(const View& view);
+  [[nodiscard]] bool unsettled() const { return !composedAsIs && !placer.settled() && !handleGesture && !cameraGesture; }
+  void settleLines(bool moved);
   void measureVisibility(const View& view, bool moving);
   void placeOn(const View& view, bool moving);
   void holdMember(const PlacedLine& held);

@@ -111,6 +111,9 @@ inline constexpr int kReturnFrames = 20;
 /// Beyond the paper (placement/mending.h): what each line that changes its place costs an attempt to mend a frame; a leap counts as so many changes, and going back to what was left within
 /// kReturnFrames as so many more. Less: lines change places for a small gain. More: what is amiss stays until a place is lost.
 inline constexpr double kScoreChange = -24.0 * kHandleSpacingPx;
+/// The same when a movement has ended (Placer::settle()): the picture will be looked at for long, so a change that is once more than paid for by what it brings. Less: more lines than need to change places when the
+/// hand lets go. More: they rest where the movement left them, far out and along faces that have turned away.
+inline constexpr double kScoreChangeSettling = -1.0 * kHandleSpacingPx;
 inline constexpr double kChangesOfLeap = 3.5;
 inline constexpr double kChangesOfReturn = 8.0;
 /// The price of a change, as a share, where it leaves no line at all that runs across another's extension line, since a picture without is read at a glance. Less: more such pictures, and more changes. For the last
@@ -144,15 +147,15 @@ inline constexpr int kShortestFirstEvery = 3;
 /// Attempts more at a frame in which lines run across others' extension lines, each drawn at random: who looks for another place, and the order, in which at most so many lines come before a shorter one. Fewer: more
 /// such lines, which stay for longer. More: a tenth fewer of them, and a few changes of place more, for twice as many; each costs a frame with such lines about half as much time as placing it.
 inline constexpr int kShuffles = 24;
-/// The same in a first picture, which is placed once and is looked at for long, and of how many lines each looks for another place there, the shortest. More: it is there later.
-inline constexpr int kShufflesOfFirstPicture = 60;
-inline constexpr std::size_t kLooksOfFirstPicture = 60;
+/// The same in a first picture and in one in which lines settle, which are looked at for long, and of how many lines each looks for another place there, the shortest. More: such a picture is there later.
+inline constexpr int kShufflesAtRest = 60;
+inline constexpr std::size_t kLooksAtRest = 60;
 inline constexpr std::size_t kMostPuts = 3;
 /// Before so many of its lines' turns it is kept how an attempt stands, so that another one that begins likewise goes on from there; about 20 kB each in a viewport of 1000x1000. More: it takes memory. Fewer: lines are placed
 /// again that come to the same.
 inline constexpr std::size_t kMostKeptTurns = 32;
-/// How often a first picture is placed, the second time with a view to what was placed in the first. More: fewer lines across others' extension lines, and fewer of those through numbers; it takes longer.
-inline constexpr int kFirstPictureRounds = 2;
+/// How often such a picture is placed, the second time with a view to what was placed the first time. More: fewer lines across others' extension lines, and fewer of those through numbers; it takes longer.
+inline constexpr int kRoundsAtRest = 2;
 /// Moved frames after which any line may look for a better place, though nothing is amiss with it.
 inline constexpr int kFramesToLookAround = 3;
 

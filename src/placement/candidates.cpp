@@ -123,7 +123,7 @@ void keep(const CandidateContext& context, const UsableBaseLine& base, Candidate
                            .facing = candidate.plane.facing}) +
                     kScoreAskew * askewPx(candidate.baseScreen, candidate.lineScreen) + candidate.hysteresis;
   const Identity& identity = candidate.identity;
-  if (identity != context.history.last()) {
+  if (context.rests || identity != context.history.last()) {
     const bool chain = base.cluster >= 0;
     const Foresight::Prospect prospect =
         context.foresight.prospect({base.line, context.annotation.slip, candidate.plane, identity.direction, candidate.offsetM, candidate.line,

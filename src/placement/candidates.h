@@ -77,6 +77,7 @@ struct CandidateContext {
   bool showAll = false;                ///< a line that is shown for its last moments, or of a scope that nobody sees, is better than none
   std::span<const Sight> sights = {};  ///< one a scope: how much of it is seen
   Vec2 textSize{0.0};                  ///< px, of a line's label
+  bool rests = false;                  ///< the picture will be looked at for long: a place that is there already costs what a new one would
   bool seenInside = false;             ///< a base line that is seen can stand for itself, so no new place that comes from behind the model is taken for a moment only
 };
 

@@ -40,11 +40,11 @@ void Outcome::begin(std::size_t ranks, const FrameKind& kind) {
 
 bool Outcome::betterThan(const Outcome& other) const {
   constexpr double kLeastGainPx = 1.0;
-  const double factor = frame.zooms || frame.isFirst ? kAmissFactor : 1.0;
+  const double factor = frame.zooms || frame.rests() ? kAmissFactor : 1.0;
   const auto amissPx = [&](const Outcome& outcome) { return factor * (kScoreTangle * outcome.tangles + kScoreNestedWrongly * outcome.nestedWrongly); };
   // What leaves the picture without any may change more; what would bring the first one in for fewer changes must save as many.
   const bool untangles = (tangles == 0) != (other.tangles == 0);
-  const double onePx = frame.isFirst ? 0.0 : kScoreChange;
+  const double onePx = frame.isFirst ? 0.0 : frame.settles ? kScoreChangeSettling : kScoreChange;
   const double changePx = onePx * (untangles ? kChangeShareToUntangle : 1.0);
   const double returnPx = onePx * kChangesOfReturn;
   // For what is only ahead no more lines change: it may never come.
@@ -62,8 +62,8 @@ void Mending::begin() {
 }
 
 std::optional<Attempt> Mending::next(const Outcome& outcome, bool shortestFirst) {
-  if (outcome.frame.isFirst) {
-    if (looks_ < std::min(outcome.outside.size(), kLooksOfFirstPicture)) return Attempt{.looks = looks_++};
+  if (outcome.frame.rests()) {
+    if (looks_ < std::min(outcome.outside.size(), kLooksAtRest)) return Attempt{.looks = looks_++};
   } else if (looks_ < kMendingAttempts) {
     if (const auto rank = nextToLook(outcome)) return Attempt{.looks = rank};
     looks_ = kMendingAttempts;
@@ -71,7 +71,7 @@ std::optional<Attempt> Mending::next(const Outcome& outcome, bool shortestFirst)
   if (!std::exchange(ordered_, true)) {
     if (const auto order = nextOrder(outcome, shortestFirst)) return order;
   }
-  if (shuffles_ == (outcome.frame.isFirst ? kShufflesOfFirstPicture : kShuffles) || outcome.tangled.empty()) return std::nullopt;
+  if (shuffles_ == (outcome.frame.rests() ? kShufflesAtRest : kShuffles) || outcome.tangled.empty()) return std::nullopt;
   ++shuffles_;
   return shuffle(outcome);
 }

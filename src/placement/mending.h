@@ -14,7 +14,11 @@ namespace dimline {
 /// What is known of a frame before its lines are placed, by which its attempts are judged.
 struct FrameKind {
   bool isFirst = false;         ///< nobody has seen one before it, so changes disturb nobody
+  bool settles = false;         ///< a movement ends with it (Placer::settle()), so a change costs little
   bool zooms = false;           ///< the camera comes nearer or goes away
+
+  /// Whether it will be looked at for long, and is mended as far as that goes.
+  [[nodiscard]] bool rests() const { return isFirst || settles; }
 };
 
 /// What came of placing a frame's lines one after the other, so that two attempts at one frame can be compared.
@@ -55,7 +59,7 @@ struct Attempt {
 
 /// Whose place is looked at again. The paper's greedy order (4.5) leaves lines that run across others' extension lines where another order would not, and shifts many
 /// lines for the good of one. So lines stand firm from frame to frame as long as their places are any, and in each moved frame a few attempts let one line look
-/// for another place, with all that follows from it, or place the lines in another order; each goes on from the best one before it. A first picture, of which nobody has seen another, is mended at once, as far as
+/// for another place, with all that follows from it, or place the lines in another order; each goes on from the best one before it. A picture that rests, as a first one, is mended at once, as far as
 /// that goes. A repair step, which the paper names as future work, spread over frames.
 class Mending {
  public:
@@ -63,9 +67,9 @@ class Mending {
   void begin();
   /// What is to be tried next, nothing when that was all. `outcome`: of the best attempt so far; `shortestFirst`: whether it placed the shortest lines first.
   /// First one line looks for another place: one that has just changed its place, since what pushed it may have a better place as well, or else, every kFramesToLookAround frames, any; otherwise
-  /// those with which something is amiss, in turns. In a first picture each does, one after the other, up to kLooksOfFirstPicture. Then a line that went back to what it had left lately comes before who else has
+  /// those with which something is amiss, in turns. In a picture that rests each does, one after the other, up to kLooksAtRest. Then a line that went back to what it had left lately comes before who else has
   /// changed its place; or else, of two lines that are in a tangle, the later one comes first, in turns; or, now and then, the shortest first again, if it is not so. Where any are in a tangle kShuffles attempts at
-  /// random (in a first picture kShufflesOfFirstPicture) come last: of what those in turns do not find they find as much as any other rule did, and they do not try the same in every frame.
+  /// random (kShufflesAtRest where it rests) come last: of what those in turns do not find they find as much as any other rule did, and they do not try the same in every frame.
   std::optional<Attempt> next(const Outcome& outcome, bool shortestFirst);
 
  private:

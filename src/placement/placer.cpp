@@ -11,7 +11,7 @@
 #include "placement/placer_state.h"
 
 // What is known from frame to frame, and how often a frame is placed: while only the camera moves, lines keep their places and what can be done better is mended little by little (mending.h);
-// a first picture is placed in rounds; in a small viewport the shortest lines give way until there is room. placer_attempt.cpp places a frame once.
+// a first picture, and one in which lines settle, are placed in rounds; in a small viewport the shortest lines give way until there is room. placer_attempt.cpp places a frame once.
 
 namespace dimline {
 
@@ -38,6 +38,8 @@ void Placer::forget() {
   past.view.reset();
   past.crowded = 0;
   past.framesWithRoom = 0;
+  past.settled = true;
+  past.settles = false;
 }
 
 void Placer::State::Choices::forget() {
@@ -71,6 +73,10 @@ void Placer::recall(const Memory& memory) {
 }
 
 void Placer::awaitFields() { state_->past.sceneChanged = state_->past.sceneChanged || !state_->firm; }
+
+void Placer::settle() { state_->past.settles = true; }
+
+bool Placer::settled() const { return state_->past.settled; }
 
 void Placer::showHidden(bool shown) {
   if (shown && !state_->showHidden) state_->onDemand.forget();
@@ -152,23 +158,29 @@ void Placer::place(const View& view, const DistanceFields& fields, const Values&
   if (turnRad > kForgetTurnRad) forget();
   const bool first = !s.past.view;
   const bool sceneChanged = std::exchange(s.past.sceneChanged, false);
-  // An edit is not part of the movement before it.
-  s.foresight.begin(sceneChanged ? std::nullopt : s.past.view, view, s.bounds, s.objectPlanes, s.toleranceM);
+  const bool settles = std::exchange(s.past.settles, false) && !first && !sceneChanged && held.empty();
+  // An edit is not part of the movement before it, and where that ends nothing more is to come.
+  s.foresight.begin(sceneChanged || settles ? std::nullopt : s.past.view, view, s.bounds, s.objectPlanes, s.toleranceM);
   const bool viewMoved = s.beginFrame(view);
+  if (settles && !viewMoved) std::ranges::for_each(s.past.histories, &History::age);   // lines may go wherever they may in a movement
+  // Who has taken hold of a line has taken the picture as it is.
+  s.past.settled = first || settles || !held.empty() || (s.past.settled && !viewMoved);
   // In another scene a scope has no past: what an edit covers is hidden at once, and what it lays open is shown.
   s.findVisible(view, visibility, sceneChanged ? kReturnFrames : viewMoved ? std::max(static_cast<int>(turnRad / kFrameTurnRad), 1) : 0);
   facePlanes(s.objectPlanes, view, s.objectPlaneUses);
 
-  const FrameToPlace frame{view, fields, values, held, viewMoved};
+  const FrameToPlace frame{view, fields, values, held, viewMoved || settles};
   // What was edited may find another place at once.
   const bool firm = !sceneChanged && held.empty();
   // In a first picture there is nothing to keep, but what is amiss can be mended.
   s.firm = firm || (first && held.empty());
   s.occupied.begin(fields);
-  // In a first picture nothing is known of what is ahead: another round of the same view makes up for that.
-  const int rounds = first && held.empty() ? kFirstPictureRounds : 1;
-  s.opening = s.asksForRoom = rounds > 1;
-  s.placeOnce(frame, sceneChanged, true, layout);
+  s.kind = {.isFirst = first && held.empty(), .settles = settles, .zooms = s.foresight.zooms()};
+  // In a picture that will be looked at for long nothing is known of what is ahead: another round of the same view makes up for that.
+  const int rounds = s.kind.rests() ? kRoundsAtRest : 1;
+  s.asksForRoom = rounds > 1;
+  if (settles) s.placeSettling(frame, layout);
+  else s.placeOnce(frame, sceneChanged, true, layout);
   for (int round = 1; round < rounds; ++round) {
     s.firm = true;
     s.asksForRoom = round + 1 < rounds;
@@ -176,7 +188,7 @@ void Placer::place(const View& view, const DistanceFields& fields, const Values&
     s.placeOnce(frame, false, false, layout);
   }
   s.firm = firm;
-  s.past.labels.note(layout.lines, viewMoved);
+  s.past.labels.note(layout.lines, frame.viewMoved);
   if (s.showHidden) s.placeOnDemand(frame, sceneChanged, layout);
 
   layout.view = view;
@@ -184,6 +196,24 @@ void Placer::place(const View& view, const DistanceFields& fields, const Values&
   for (std::size_t i = 0; i < s.scopes.size(); ++i) {
     if (s.seen[i] != 0) layout.visibleScopes.push_back(i);
   }
+}
+
+/// The first round of a frame in which lines settle: once from where they are, as near to the model as they can, and once as if nothing were remembered of them. The next round goes on from the better one.
+void Placer::State::placeSettling(const FrameToPlace& frame, Layout& layout) {
+  const Past before = past;
+  const auto place = [&] {
+    past.placingOrder.forget();
+    placeOnce(frame, false, true, layout);
+    outcome.changes = 0;
+    for (std::size_t i = 0; i < before.histories.size(); ++i) outcome.changes += past.histories[i].last() == before.histories[i].last() ? 0 : 1;
+  };
+  forgetOffsets();
+  place();
+  const Outcome fromWhereTheyWere = outcome;
+  Past there = std::exchange(past, before);
+  past.forget();
+  place();
+  if (!outcome.betterThan(fromWhereTheyWere)) past = std::move(there);
 }
 
 /// A round of placing everything, and of mending it where lines keep their places. `shown`: what was placed before.

@@ -38,6 +38,12 @@ class Placer {
   [[nodiscard]] Memory memory() const;
   void recall(const Memory& memory);
 
+  /// To be told before the frame with which a movement ends. While the camera moves lines stay where they are as long as they can, so that the eye can follow, and end up far out or along what has turned away; in this
+  /// frame each looks for a better place, as in a first picture, and changes when that is better by more than kScoreChangeSettling. The view may be the last frame's; it says nothing while the scene changes or a line is held.
+  void settle();
+  /// Whether the view is the one in which the lines settled last, or were placed first. So it is, too, once a line is held: the picture is left as it is then.
+  [[nodiscard]] bool settled() const;
+
   /// From the next frame on, handles are shown too that are hidden as occluded, too short, foreshortened or crowded (paper 5, "Rendering Handles": a modifier key
   /// shows all hidden handles). At the start they are not. They find their places beside those that are there anyway, none of which moves for them, and leave nothing behind.
   void showHidden(bool shown);

@@ -26,7 +26,7 @@ struct FrameToPlace {
   const DistanceFields& fields;
   const Values& values;
   std::span<const PlacedLine> held;
-  bool viewMoved = false;   ///< since the last frame
+  bool viewMoved = false;   ///< since the last frame, or lines may move as if it had
 };
 
 [[nodiscard]] inline bool isHidden(std::span<const HiddenParameter> hidden, std::size_t parameter) {
@@ -64,6 +64,8 @@ struct Placer::State {
     std::size_t crowded = 0;          ///< how many of the shortest lines are hidden for want of room
     int framesWithRoom = 0;           ///< moved frames on end in which there would have been room for one more of them
     bool sceneChanged = false;        ///< since the last frame
+    bool settled = true;              ///< see Placer::settled()
+    bool settles = false;             ///< with the next frame
   };
   Past past;
   bool showHidden = false;
@@ -72,7 +74,7 @@ struct Placer::State {
   Past beforePlacing;                 ///< in a viewport that may be too small: what to go back to
   Outcome outcome;
   bool firm = false;                  ///< see ChoiceContext
-  bool opening = false;               ///< a first picture is placed, in rounds
+  FrameKind kind;                     ///< of the frame that is placed
   bool asksForRoom = false;           ///< see ChoiceContext
   /// One a rank while a frame is mended: the place that the line does not take, since it looks for another; that of parameter -1 when it does not.
   std::vector<Identity> avoided;
@@ -114,11 +116,12 @@ struct Placer::State {
 
   [[nodiscard]] std::array<Choices*, 2> allChoices() { return {&past, &onDemand}; }
 
-  /// See ChoiceContext. What an edit brings is shown at once, and so is what a first picture has room for.
-  [[nodiscard]] bool patient() const { return firm && !opening && !showAll; }
+  /// See ChoiceContext. What an edit brings is shown at once, and so is what a picture has room for that will be looked at for long.
+  [[nodiscard]] bool patient() const { return firm && !kind.rests() && !showAll; }
 
   // placer.cpp
   void keepChains(std::span<const Measured> before, const Measured& now);
+  void placeSettling(const FrameToPlace& frame, Layout& layout);
   void forgetOffsets();
   bool beginFrame(const View& view);
   void findVisible(const View& view, const ScopeVisibility* visibility, int framesOn);

@@ -308,16 +308,16 @@ TEST_CASE("in a first picture every line looks for another place, once, and more
   CHECK(looksOf(attempts) == std::vector<std::size_t>{0, 1, 2, 3});
   CHECK(attempts.size() == kRanks);
   outcome.tangled = {{0, 2}};
-  CHECK(attemptsAt(mending, outcome).size() == kRanks + 1 + kShufflesOfFirstPicture);
+  CHECK(attemptsAt(mending, outcome).size() == kRanks + 1 + kShufflesAtRest);
 }
 
 TEST_CASE("a first picture of very many lines has a bounded number of attempts") {
   Outcome outcome;
-  outcome.begin(10 * kLooksOfFirstPicture, {.isFirst = true});
-  outcome.outside.assign(10 * kLooksOfFirstPicture, 1);
+  outcome.begin(10 * kLooksAtRest, {.isFirst = true});
+  outcome.outside.assign(10 * kLooksAtRest, 1);
   outcome.tangled = {{0, 2}};
   Mending mending;
-  CHECK(attemptsAt(mending, outcome).size() == kLooksOfFirstPicture + 1 + kShufflesOfFirstPicture);
+  CHECK(attemptsAt(mending, outcome).size() == kLooksAtRest + 1 + kShufflesAtRest);
 }
 
 TEST_CASE("in a first picture changes cost nothing, nor do ways back") {
