@@ -25,6 +25,8 @@ constexpr std::string_view kHelp =
     "  --step DEG        the orbits' step, 1 unless told; the rows that compare frames mean 1\n"
     "  --every N         holds one of N frames against its pixels; all are placed and compared. Unless told, each\n"
     "                    in the orbits, one of 15 at extremes, one of 12 in flights\n"
+    "  --rests DEG       also the orbits with a rest after each turn by so much, where the lines settle as they do when\n"
+    "                    a hand lets go of the camera: measures these pictures alone\n"
     "  --extremes        also the orbits at each parameter's least and greatest value\n"
     "  --flights N       also N random flights: round the model, into it and back; all kinds of lens and viewport\n"
     "  --worst K         lists the K gravest cases under each row that misses its aim\n"
@@ -36,6 +38,7 @@ constexpr OptionRule kRules[] = {kSetRule,
                                  {"--size", OptionRule::Kind::kValue, "WxH"},
                                  {"--step", OptionRule::Kind::kValue, "DEG"},
                                  {"--every", OptionRule::Kind::kValue, "N"},
+                                 {"--rests", OptionRule::Kind::kValue, "DEG"},
                                  {"--extremes", OptionRule::Kind::kFlag, {}},
                                  {"--flights", OptionRule::Kind::kValue, "N"},
                                  {"--worst", OptionRule::Kind::kValue, "K"},
@@ -50,6 +53,15 @@ struct AuditOptions {
   std::optional<std::string> svgFolder;
   bool json = false;
 };
+
+/// Degrees up to `most`, when the option is there.
+Status readDegrees(const Arguments& arguments, std::string_view option, int most, std::optional<double>& degrees) {
+  const auto text = arguments.value(option);
+  if (!text) return okStatus();
+  degrees = parseDouble(trim(*text));
+  if (degrees && *degrees >= 0.05 && *degrees <= most) return okStatus();
+  return Error{std::string(option) + " takes degrees from 0.05 to " + std::to_string(most) + ", not " + inQuotes(*text) + "."};
+}
 
 /// A whole number in a range, when the option is there.
 Status readCount(const Arguments& arguments, std::string_view option, int least, int most, std::optional<int>& count) {
@@ -87,12 +99,10 @@ Result<AuditOptions> parseOptions(std::span<const std::string_view> list) {
   if (const auto size = arguments->value("--size")) {
     if (Status status = readSize(*size, options.plan); !status) return status.error();
   }
-  if (const auto step = arguments->value("--step")) {
-    const auto degrees = parseDouble(trim(*step));
-    if (!degrees || !(*degrees >= 0.05 && *degrees <= 90))
-      return Error{"--step takes degrees from 0.05 to 90, not " + inQuotes(*step) + "."};
-    options.plan.stepDeg = *degrees;
-  }
+  std::optional<double> stepDeg;
+  if (Status status = readDegrees(*arguments, "--step", 90, stepDeg); !status) return status.error();
+  options.plan.stepDeg = stepDeg.value_or(options.plan.stepDeg);
+  if (Status status = readDegrees(*arguments, "--rests", 360, options.plan.restDeg); !status) return status.error();
   std::optional<int> flights;
   std::optional<int> worst;
   if (Status status = readCount(*arguments, "--every", 1, 1000, options.plan.every); !status) return status.error();

@@ -145,6 +145,10 @@ FlownFlight fly(const Model& model, const Scene& scene, const Values& values, Fl
     const View view(flown.flight.cameras[i], flown.flight.widthPx, flown.flight.heightPx, scene.bounds);
     cpu.produce(view, fields);
     visible.measure(scene, view, visibility);
+    if (flown.flight.restEvery > 0 && i > 0 && i % flown.flight.restEvery == 0) {
+      placer.settle();
+      stillPlacer.settle();
+    }
     placer.place(view, fields, values, flown.layouts.emplace_back(), &visibility);
     for (Layout& layout : still) stillPlacer.place(view, fields, values, layout, &visibility);
     measureStill(model, still[0], still[1], flown.flight.names[i], tally);

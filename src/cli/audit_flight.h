@@ -16,6 +16,7 @@ struct Flight {
   double heightPx = 1000;
   std::vector<Camera> cameras{};
   std::vector<FrameName> names{};  ///< one a camera
+  std::size_t restEvery = 0;       ///< after so many frames the movement rests in one, and the lines settle there; 0: it never does
 };
 
 /// Once round a model at one elevation, around the middle of its bounds, at the distance at which it fits the viewport
@@ -33,7 +34,7 @@ struct FlownFlight {
   std::vector<Layout> layouts;
 };
 
-/// Places a model along a flight, each frame settled, as `dimline layout` does. Measures the still camera on the way,
+/// Places a model along a flight, each frame with fields of its own, as `dimline layout` does. Measures the still camera on the way,
 /// with a placer of its own that sees every frame three times.
 FlownFlight fly(const Model& model, const Scene& scene, const Values& values, Flight flight, AuditTally& tally);
 

@@ -94,7 +94,7 @@ void writeRow(JsonWriter& json, const AuditPart& part, const RowDefinition& row,
 }  // namespace
 
 void printAudit(const Model& model, const AuditPart& part, std::size_t worst, std::ostream& out) {
-  std::size_t met = 0;
+  std::size_t met = 0, measured = 0;
   out << model.definition.name << ", " << part.title << ": " << part.flights.size() << " flights, " << part.frames
       << " frames, " << part.framesMeasured << " of them held against their pixels, in " << formatFixed(part.seconds, 0)
       << " s\n";
@@ -103,6 +103,8 @@ void printAudit(const Model& model, const AuditPart& part, std::size_t worst, st
       << "\n";
   for (std::size_t i = 0; i < kAuditRowCount; ++i) {
     const RowDefinition& row = definition(static_cast<AuditRow>(i));
+    if (comparesFrames(row.row) && !part.comparesFrames) continue;
+    ++measured;
     const Figure figure = part.placed.figure(row.row);
     met += figure.met ? 1 : 0;
     out << std::setw(kTitleWidth) << row.title << std::setw(kFigureWidth) << figureText(row, figure)
@@ -111,7 +113,7 @@ void printAudit(const Model& model, const AuditPart& part, std::size_t worst, st
     if (figure.met) continue;
     for (const OffenceGroup& group : part.placed.worst(row.row, worst)) printGroup(group, out);
   }
-  out << met << " of " << kAuditRowCount << " aims met.\n";
+  out << met << " of " << measured << " aims met.\n";
 }
 
 void writeAudit(JsonWriter& json, const Model& model, const std::vector<AuditPart>& parts, std::size_t worst) {
@@ -125,7 +127,10 @@ void writeAudit(JsonWriter& json, const Model& model, const std::vector<AuditPar
     json.key("frames").value(part.frames);
     json.key("framesMeasured").value(part.framesMeasured);
     json.key("rows").beginArray();
-    for (std::size_t i = 0; i < kAuditRowCount; ++i) writeRow(json, part, definition(static_cast<AuditRow>(i)), worst);
+    for (std::size_t i = 0; i < kAuditRowCount; ++i) {
+      const auto row = static_cast<AuditRow>(i);
+      if (part.comparesFrames || !comparesFrames(row)) writeRow(json, part, definition(row), worst);
+    }
     json.endArray();
     json.endObject();
   }

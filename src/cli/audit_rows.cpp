@@ -60,6 +60,10 @@ const RowDefinition& definition(AuditRow row) {
   return found;
 }
 
+bool comparesFrames(AuditRow row) {
+  return row == AuditRow::kIdentityChanges || row == AuditRow::kFlicker || row == AuditRow::kJumps || row == AuditRow::kChainMembers;
+}
+
 void AuditTally::measure(AuditRow row, double value) {
   Entry& entry = at(row);
   entry.least = entry.judged == 0 ? value : std::min(entry.least, value);

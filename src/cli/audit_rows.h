@@ -96,6 +96,9 @@ struct RowDefinition {
 };
 const RowDefinition& definition(AuditRow row);
 
+/// Whether a row compares a frame with those before it.
+bool comparesFrames(AuditRow row);
+
 /// Where in the audit a frame is.
 struct FrameName {
   std::string flight{};  ///< "elevation 10", "RoofPitch=45 elevation 10", "flight 3, 640x480, 0.7 deg"

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <cmath>
 #include <ostream>
 #include <thread>
 
@@ -67,13 +68,21 @@ public:
     return parts_.back();
   }
 
-  void orbits(const Values& values, const std::string& prefix, int every) {
+  void orbits(const Values& values, const std::string& prefix, int every, std::size_t restEvery = 0) {
     const Scene scene = model_.definition.build(values);
     for (const double elevationDeg : kElevationsDeg) {
       Flight flight = orbit(scene.bounds, elevationDeg, plan_.stepDeg, plan_.widthPx, plan_.heightPx);
+      flight.restEvery = restEvery;
       for (FrameName& name : flight.names) name.flight = prefix + name.flight;
       audit(scene, values, std::move(flight), every);
     }
+  }
+
+  /// What is seen on the way is placed and not judged.
+  void rests(const Values& values, double restDeg) {
+    parts_.back().comparesFrames = false;
+    const int frames = std::max(1, static_cast<int>(std::lround(restDeg / plan_.stepDeg)));
+    orbits(values, "", frames, static_cast<std::size_t>(frames));
   }
 
   void flights(const Values& values) {
@@ -120,8 +129,10 @@ void Auditor::audit(const Scene& scene, const Values& values, Flight flight, int
   AuditPart& part = parts_.back();
   const FlownFlight flown = fly(model_, scene, values, std::move(flight), part.placed);
   const std::vector<Layout> frozenLayouts = frozen(flown, scene);
-  measureSteps(model_, flown.layouts, flown.flight.names, part.placed);
-  measureSteps(model_, frozenLayouts, flown.flight.names, part.frozen);
+  if (part.comparesFrames) {
+    measureSteps(model_, flown.layouts, flown.flight.names, part.placed);
+    measureSteps(model_, frozenLayouts, flown.flight.names, part.frozen);
+  }
 
   const FlightAudit work{model_, scene, flown, frozenLayouts, static_cast<std::size_t>(every)};
   const std::size_t measured = (flown.layouts.size() + work.every - 1) / work.every;
@@ -154,6 +165,10 @@ std::vector<AuditPart> auditModel(const Model& model, const Values& values, cons
   Auditor auditor(model, plan, progress);
   auditor.begin("orbits");
   auditor.orbits(values, "", plan.every.value_or(1));
+  if (plan.restDeg) {
+    auditor.begin("rests");
+    auditor.rests(values, *plan.restDeg);
+  }
   if (plan.extremes) {
     auditor.begin("extremes");
     auditor.extremes(values);

@@ -52,6 +52,23 @@ TEST_CASE("dimline audit takes extremes, flights and values") {
   CHECK(parts[2]["flights"] == 1);
 }
 
+TEST_CASE("dimline audit measures the pictures in which a movement rests by themselves") {
+  const Run run = runProgram({"audit", "lever", "--step", "10", "--every", "36", "--size", "300x300", "--rests", "60", "--json"});
+  REQUIRE(run.status == 0);
+  const auto parts = parsed(run.out)[0]["parts"];
+  REQUIRE(parts.size() == 2);
+  CHECK(parts[1]["part"] == "rests");
+  CHECK(parts[1]["frames"] == 3 * 36);
+  CHECK(parts[1]["framesMeasured"] == 3 * 6);
+  // Between them lie others, so nothing is said of changes from one to the next.
+  CHECK(parts[1]["rows"].size() == kAuditRowCount - 4);
+  for (const auto& row : parts[1]["rows"]) CHECK(row["row"] != "identity-changes");
+
+  const Run table = runProgram({"audit", "lever", "--step", "10", "--every", "36", "--size", "300x300", "--rests", "60"});
+  CHECK(table.out.find("lever, rests: 3 flights, 108 frames, 18 of them") != std::string::npos);
+  CHECK(table.out.find(" of 13 aims met.") != std::string::npos);
+}
+
 TEST_CASE("dimline audit draws the gravest cases") {
   const TemporaryFolder folder;
   // A step of 40 degrees changes more lines than the aim allows.
@@ -81,6 +98,9 @@ TEST_CASE("dimline audit says what is wrong with its arguments") {
   CHECK(runProgram({"audit"}).status == 2);
   CHECK(runProgram({"audit", "house", "box"}).status == 2);
   CHECK(runProgram({"audit", "house", "--every", "0"}).status == 2);
+  const Run rests = runProgram({"audit", "house", "--rests", "often"});
+  CHECK(rests.status == 2);
+  CHECK(rests.err.find("--rests takes degrees from 0.05 to 360") != std::string::npos);
   CHECK(runProgram({"audit", "house", "--step", "x"}).status == 2);
   CHECK(runProgram({"audit", "house", "--size", "10"}).status == 2);
   CHECK(runProgram({"audit", "house", "--svg", "drawings"}).status == 2);

@@ -332,6 +332,22 @@ TEST_CASE("in a first picture changes cost nothing, nor do ways back") {
   CHECK_FALSE(moves.betterThan(stays));
 }
 
+TEST_CASE("where lines settle each looks once too, and a change must bring more than it costs there") {
+  Outcome stays = allOutside();
+  stays.frame.settles = true;
+  Mending mending;
+  CHECK(looksOf(attemptsAt(mending, stays)).size() == kRanks);
+  Outcome moves = stays;
+  moves.changes = 2;
+  moves.worth = -2 * kScoreChangeSettling - 2;
+  CHECK_FALSE(moves.betterThan(stays));
+  moves.worth += 4;
+  CHECK(moves.betterThan(stays));
+  // In a movement it costs far more.
+  moves.frame.settles = stays.frame.settles = false;
+  CHECK_FALSE(moves.betterThan(stays));
+}
+
 TEST_CASE("when all is well, a line looks around now and then, each in its turn") {
   const Outcome outcome = allOutside();
   Mending mending;
