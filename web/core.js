@@ -335,6 +335,7 @@ export class Core {
   frame(nowMs) {
     return this.#editor.frame(nowMs);
   }
+  /** Nothing moves any more, and the lines have settled: when a pointer let go of the camera, or a third of a second after it was moved otherwise. */
   get atRest() {
     return this.#editor.atRest();
   }

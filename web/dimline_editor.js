@@ -153,7 +153,7 @@ export class DimlineEditor extends Base {
     this.#act((core) => core.setCamera(camera));
   }
 
-  /** Resolves when fields, placement and animation have come to rest and that is drawn. */
+  /** Resolves when fields, placement and animation have come to rest and that is drawn. After a camera that `setCamera()`, a wheel or keys moved that is a third of a second later at least: only then do the lines settle. */
   settled() {
     if (this.#error) return Promise.reject(this.#error);
     const settled = this.#settling.join();

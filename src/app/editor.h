@@ -156,7 +156,8 @@ class Editor {
   void abandonRenderer();       ///< the context was lost; attachRenderer() again after it is restored
   /// Advances to `nowMs` (any steady clock) and draws. True when another frame is wanted (animation, fields under way, damping).
   bool frame(double nowMs);
-  /// Fields, placement and animation have come to rest.
+  /// Fields, placement and animation have come to rest, and so has the camera: the lines have settled (Placer::settle()), which they do when a pointer lets go of it, or a third of a second after it was moved
+  /// otherwise.
   [[nodiscard]] bool atRest() const;
   /// The layout as drawn by the last frame, mid-animation too.
   [[nodiscard]] const Layout& layout() const;

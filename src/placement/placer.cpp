@@ -198,20 +198,19 @@ void Placer::place(const View& view, const DistanceFields& fields, const Values&
   }
 }
 
-/// The first round of a frame in which lines settle: once from where they are, as near to the model as they can, and once as if nothing were remembered of them. The next round goes on from the better one.
+/// The first round of a frame in which lines settle: once from where they are, and once as if nothing were remembered of them. The next round goes on from the better one.
 void Placer::State::placeSettling(const FrameToPlace& frame, Layout& layout) {
   const Past before = past;
   const auto place = [&] {
-    past.placingOrder.forget();
     placeOnce(frame, false, true, layout);
     outcome.changes = 0;
     for (std::size_t i = 0; i < before.histories.size(); ++i) outcome.changes += past.histories[i].last() == before.histories[i].last() ? 0 : 1;
   };
-  forgetOffsets();
   place();
   const Outcome fromWhereTheyWere = outcome;
   Past there = std::exchange(past, before);
   past.forget();
+  past.crowded = 0;
   place();
   if (!outcome.betterThan(fromWhereTheyWere)) past = std::move(there);
 }

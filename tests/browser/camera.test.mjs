@@ -56,6 +56,27 @@ test("a mouse drag orbits: the target and the distance stay, a viewport's height
   assert.ok(Math.abs(camera.eye[1] - home.eye[1]) < 1e-6, "a level drag keeps the height");
 });
 
+test("lines keep their places while the hand holds the camera, settle nearer to the model when it lets go, and stay there", async () => {
+  const { height } = await pictureBox(page);
+  const middle = ([[x0, y0], [x1, y1]]) => [(x0 + x1) / 2, (y0 + y1) / 2];
+  const meanPx = ({ lines }) => lines.reduce((sum, { line, base }) => sum + distance(middle(line.screen), middle(base.screen)), 0) / lines.length;
+  const places = ({ lines }) => lines.map(({ identity, line }) => [identity, ...line.screen.flat()]);
+  const pause = () => page.waitForTimeout(600); // longer than a camera that nobody holds has to stand still
+  await page.mouse.move(...free);
+  await page.mouse.down();
+  await page.mouse.move(free[0] + height / 4, free[1], { steps: 60 });
+  await settle(page);
+  const held = await layoutOf(page);
+  await pause();
+  assert.deepEqual(places(await layoutOf(page)), places(held));
+  await page.mouse.up();
+  await settle(page);
+  const rests = await layoutOf(page);
+  assert.ok(meanPx(rests) < 0.95 * meanPx(held), `${meanPx(rests)} px instead of ${meanPx(held)}`);
+  await pause();
+  assert.deepEqual(places(await layoutOf(page)), places(rests));
+});
+
 test("orbiting never turns the picture over", async () => {
   const { height } = await pictureBox(page);
   await mouseDrag(free, [0, Math.min(height * 0.4, 300)]);
