@@ -64,9 +64,8 @@ export class LabelLayer {
     this.#chooseSliders();
     for (const [id, entry] of this.#entries) {
       if (entry.round === round) continue;
-      const focused = this.#layer.getRootNode().activeElement === entry.node;
       // Where the line has gone while it was being changed, its slider remains until the focus leaves it: the way back.
-      if (focused && !this.#handOver(entry)) {
+      if (this.#hasFocus(entry)) {
         entry.node.toggleAttribute("data-left", true);
         continue;
       }
@@ -169,9 +168,18 @@ export class LabelLayer {
       const best = chosen.get(entry.parameter);
       if (!best || rank > best.rank) chosen.set(entry.parameter, { entry, rank });
     }
+    const isChosen = (entry) => chosen.get(entry.parameter)?.entry === entry;
+    for (const { entry } of chosen.values()) this.#makeSlider(entry, true);
     for (const entry of this.#entries.values()) {
-      this.#makeSlider(entry, chosen.get(entry.parameter)?.entry === entry);
+      if (isChosen(entry)) continue;
+      // A line that changes its place is another one; the keyboard's focus goes along, before its node can have it no longer.
+      if (this.#hasFocus(entry)) this.#handOver(chosen.get(entry.parameter)?.entry);
+      this.#makeSlider(entry, false);
     }
+  }
+
+  #hasFocus({ node }) {
+    return this.#layer.getRootNode().activeElement === node;
   }
 
   #makeSlider(entry, slider) {
@@ -180,16 +188,10 @@ export class LabelLayer {
     this.#describe(entry);
   }
 
-  // A line that changes its place is another one; the keyboard's focus goes along.
-  #handOver({ node, parameter }) {
-    for (const heir of this.#entries.values()) {
-      if (heir.parameter !== parameter || !heir.slider || heir.node === node) continue;
-      this.#handingOver = true;
-      heir.node.focus({ preventScroll: true });
-      this.#handingOver = false;
-      return true;
-    }
-    return false;
+  #handOver(heir) {
+    this.#handingOver = true;
+    heir?.node.focus({ preventScroll: true });
+    this.#handingOver = false;
   }
 
   #add(label) {

@@ -75,7 +75,7 @@ struct Editor::State {
   Camera camera;
   bool cameraUntouched = true;  ///< nobody chose it: it is fitted anew when the viewport gets its size
   bool compositionDue = false;  ///< it was fitted to the model alone; the lines come into it with the next frame
-  bool composedAsIs = false;    ///< the lines came into the picture with it, and nobody has moved it since: they have settled
+  bool composed = false;        ///< the lines came into the picture with it, and are to stay as they are when that is placed
   bool viewStale = true;        ///< camera, viewport or scene changed since fields were asked for
 
   // --- Gestures ---
@@ -178,7 +178,7 @@ struct Editor::State {
   // editor_frame.cpp
   void rebuild();
   void measureAndPlace(const View& view);
-  [[nodiscard]] bool unsettled() const { return !composedAsIs && !placer.settled() && !handleGesture && !cameraGesture; }
+  [[nodiscard]] bool unsettled() const { return !placer.settled() && !handleGesture && !cameraGesture; }
   void settleLines(bool moved);
   void measureVisibility(const View& view, bool moving);
   void placeOn(const View& view, bool moving);

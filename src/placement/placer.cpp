@@ -76,6 +76,8 @@ void Placer::awaitFields() { state_->past.sceneChanged = state_->past.sceneChang
 
 void Placer::settle() { state_->past.settles = true; }
 
+void Placer::settleAsIs() { state_->past.settled = true; }
+
 bool Placer::settled() const { return state_->past.settled; }
 
 void Placer::showHidden(bool shown) {

@@ -41,6 +41,8 @@ class Placer {
   /// To be told before the frame with which a movement ends. While the camera moves lines stay where they are as long as they can, so that the eye can follow, and end up far out or along what has turned away; in this
   /// frame each looks for a better place, as in a first picture, and changes when that is better by more than kScoreChangeSettling. The view may be the last frame's; it says nothing while the scene changes or a line is held.
   void settle();
+  /// The picture that was placed last stays as it is: it counts as settled.
+  void settleAsIs();
   /// Whether the view is the one in which the lines settled last, or were placed first. So it is, too, once a line is held: the picture is left as it is then.
   [[nodiscard]] bool settled() const;
 

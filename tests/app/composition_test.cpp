@@ -130,6 +130,14 @@ TEST_CASE("every model opens with room on all sides", "[models]") {
   }
 }
 
+TEST_CASE("lines that came into the picture with its camera have settled") {
+  EditorStage stage(defineHouse(), 796, 704);
+  stage.editor.wheel({300, 300}, 400, {});
+  stage.settle();
+  stage.editor.setStandardView(StandardView::kThreeQuarter);
+  CHECK(stage.settle() <= 14);   // 180 ms and some frames: nothing is waited for
+}
+
 TEST_CASE("fitting gives the opening view again, as often as one likes") {
   EditorStage stage(defineHouse(), 796, 704);
   const Camera opening = stage.editor.camera();

@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import { inside, modelNames, sliderOf } from "./support/handles.mjs";
-import { call, launch, layoutOf, openPage, screenshot, settle, showModel, valueOf } from "./support/page.mjs";
+import { call, launch, layoutOf, lineOf, openPage, screenshot, settle, showModel, valueOf } from "./support/page.mjs";
 import { decodePng } from "./support/png.mjs";
 
 let browser, tab, page;
@@ -139,6 +139,18 @@ test("the focus stays on the parameter while its line moves, and can be seen in 
   assert.equal(await valueOf(page, "Width"), min);
   await call(page, "setParameters", { Width: normal });
   await settle(page);
+});
+
+test("the focus goes along when a line changes its place", async () => {
+  await sliderOf(page, "Width").focus();
+  const places = new Set();
+  for (const view of ["front", "back", "top", "three-quarter"]) {
+    await call(page, "setView", view);
+    await settle(page);
+    places.add(lineOf(await layoutOf(page), "Width").identity);
+    assert.equal(await page.evaluate(() => document.activeElement.shadowRoot?.activeElement?.dataset.name), "Width", `in the ${view} view`);
+  }
+  assert.ok(places.size > 1, "it changed its place");
 });
 
 test("screen readers are told what undo and redo have changed, and when a key meets a limit; of other changes they hear from the slider itself", async () => {

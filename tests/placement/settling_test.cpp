@@ -71,6 +71,11 @@ TEST_CASE("lines have settled until the view moves") {
   stage.look(turned(1));
   CHECK(stage.placer.settled());
   stage.look(turned(2));
+  CHECK_FALSE(stage.placer.settled());
+  stage.placer.settleAsIs();
+  CHECK(stage.placer.settled());
+  stage.look(turned(3));
+  CHECK_FALSE(stage.placer.settled());
   stage.look(turned(150));   // so far that it is a first picture again
   CHECK(stage.placer.settled());
 }
