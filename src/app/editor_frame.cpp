@@ -144,7 +144,7 @@ void Editor::State::placeOn(const View& view, bool moving) {
   }
   placer.place(view, fieldSource.fields(), placedValues(), placed, &visibilitySource.seen(), heldLines);
   if (!fieldSource.current()) placer.awaitFields();
-  else if (std::exchange(composed, false)) placer.settleAsIs();
+  else if (std::exchange(staysAsComposed, false)) placer.settleAsIs();
   for (const PlacedLine& line : heldLines) {
     if (line.chain >= 0) holdMember(line);
   }

@@ -21,6 +21,9 @@ constexpr std::array kElevationsDeg = {10.0, 30.0, 60.0};
 constexpr int kEveryAtExtremes = 15;
 constexpr int kEveryInFlights = 12;
 
+/// How many steps make up an angle.
+int framesIn(double deg, double stepDeg) { return std::max(1, static_cast<int>(std::lround(deg / stepDeg))); }
+
 double secondsSince(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
@@ -79,17 +82,23 @@ public:
   }
 
   /// What is seen on the way is placed and not judged.
-  void rests(const Values& values, double restDeg) {
+  void orbitRests(const Values& values, double restDeg) {
     parts_.back().comparesFrames = false;
-    const int frames = std::max(1, static_cast<int>(std::lround(restDeg / plan_.stepDeg)));
+    const int frames = framesIn(restDeg, plan_.stepDeg);
     orbits(values, "", frames, static_cast<std::size_t>(frames));
   }
+  void flightRests(const Values& values, double restDeg) {
+    parts_.back().comparesFrames = false;
+    const int frames = framesIn(restDeg, 1);
+    flights(values, frames, static_cast<std::size_t>(frames));
+  }
 
-  void flights(const Values& values) {
+  void flights(const Values& values, int every, std::size_t restEvery = 0) {
     const Scene scene = model_.definition.build(values);
     for (int i = 0; i < plan_.flights; ++i) {
-      audit(scene, values, randomFlight(scene.bounds, static_cast<std::uint64_t>(i)),
-            plan_.every.value_or(kEveryInFlights));
+      Flight flight = randomFlight(scene.bounds, static_cast<std::uint64_t>(i));
+      flight.restEvery = restEvery;
+      audit(scene, values, std::move(flight), every);
     }
   }
 
@@ -167,7 +176,7 @@ std::vector<AuditPart> auditModel(const Model& model, const Values& values, cons
   auditor.orbits(values, "", plan.every.value_or(1));
   if (plan.restDeg) {
     auditor.begin("rests");
-    auditor.rests(values, *plan.restDeg);
+    auditor.orbitRests(values, *plan.restDeg);
   }
   if (plan.extremes) {
     auditor.begin("extremes");
@@ -175,7 +184,11 @@ std::vector<AuditPart> auditModel(const Model& model, const Values& values, cons
   }
   if (plan.flights > 0) {
     auditor.begin("flights");
-    auditor.flights(values);
+    auditor.flights(values, plan.every.value_or(kEveryInFlights));
+    if (plan.restDeg) {
+      auditor.begin("flight-rests");
+      auditor.flightRests(values, *plan.restDeg);
+    }
   }
   return auditor.take();
 }

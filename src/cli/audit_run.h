@@ -18,7 +18,7 @@ struct AuditPlan {
   int heightPx = 1000;
   bool extremes = false;  ///< also the orbits at each parameter's least and greatest value, and at each choice
   int flights = 0;        ///< also so many random flights
-  std::optional<double> restDeg{};  ///< also the orbits with a rest after each such turn, by the pictures at rest
+  std::optional<double> restDeg{};  ///< also orbits and flights with a rest after each such turn (in a flight after as many steps), by the pictures at rest
   /// Every frame is placed and compared with the one before; of so many frames one is held against its pixels. Unless
   /// told: each of the orbits at the given values, one of 15 at the extremes, one of 12 in flights.
   std::optional<int> every;
@@ -26,7 +26,7 @@ struct AuditPlan {
 
 /// One table: what was found over some flights.
 struct AuditPart {
-  std::string title;  ///< "orbits", "rests", "extremes", "flights"
+  std::string title;  ///< "orbits", "rests", "extremes", "flights", "flight-rests"
   bool comparesFrames = true;  ///< the rows that compare a frame with those before it were measured
   /// The ways that were flown, and at which values of the parameters.
   struct Leg {

@@ -64,6 +64,13 @@ TEST_CASE("dimline audit measures the pictures in which a movement rests by them
   CHECK(parts[1]["rows"].size() == kAuditRowCount - 4);
   for (const auto& row : parts[1]["rows"]) CHECK(row["row"] != "identity-changes");
 
+  const Run flights = runProgram({"audit", "lever", "--step", "90", "--every", "36", "--size", "300x300", "--rests", "90", "--flights", "1", "--json"});
+  const auto flown = parsed(flights.out)[0]["parts"];
+  REQUIRE(flown.size() == 4);
+  CHECK(flown[3]["part"] == "flight-rests");
+  CHECK(flown[3]["frames"] == flown[2]["frames"]);
+  CHECK(flown[3]["framesMeasured"] == (flown[3]["frames"].get<int>() + 89) / 90);
+
   const Run table = runProgram({"audit", "lever", "--step", "10", "--every", "36", "--size", "300x300", "--rests", "60"});
   CHECK(table.out.find("lever, rests: 3 flights, 108 frames, 18 of them") != std::string::npos);
   CHECK(table.out.find(" of 13 aims met.") != std::string::npos);
