@@ -168,12 +168,12 @@ export class LabelLayer {
       const best = chosen.get(entry.parameter);
       if (!best || rank > best.rank) chosen.set(entry.parameter, { entry, rank });
     }
-    const isChosen = (entry) => chosen.get(entry.parameter)?.entry === entry;
     for (const { entry } of chosen.values()) this.#makeSlider(entry, true);
     for (const entry of this.#entries.values()) {
-      if (isChosen(entry)) continue;
+      const heir = chosen.get(entry.parameter)?.entry;
+      if (entry === heir) continue;
       // A line that changes its place is another one; the keyboard's focus goes along, before its node can have it no longer.
-      if (this.#hasFocus(entry)) this.#handOver(chosen.get(entry.parameter)?.entry);
+      if (entry.slider && this.#hasFocus(entry)) this.#handOver(heir);
       this.#makeSlider(entry, false);
     }
   }

@@ -107,9 +107,8 @@ void Editor::State::measureAndPlace(const View& view) {
 
 /// Lets lines find the places in which they rest once a movement has ended: at once when a hand lets go of the camera.
 void Editor::State::settleLines(bool moved) {
-  const bool holds = handleGesture || cameraGesture;
   if (moved) settleMs = nowMs + kSettleAfterMs;
-  if (std::exchange(inHand, holds) && !holds) settleMs = nowMs;
+  if (std::exchange(inHand, handHolds()) && !inHand) settleMs = nowMs;
   if (!unsettled() || nowMs < settleMs || !placedOnce || !fieldSource.current() || visibilityStale) return;
   placer.settle();
   placeOn(fieldSource.view(), false);

@@ -98,7 +98,7 @@ void Editor::cancelPointer(int id) {
 
 void Editor::wheel(const Vec2& screen, double deltaPx, const Modifiers& modifiers) {
   State& s = *state_;
-  if (!isFinite(screen) || !std::isfinite(deltaPx) || !s.loaded || !s.hasSize() || s.handleGesture || s.cameraGesture) return;
+  if (!isFinite(screen) || !std::isfinite(deltaPx) || !s.loaded || !s.hasSize() || s.handHolds()) return;
   double delta = std::clamp(deltaPx, -kMostWheelPx, kMostWheelPx);
   if (modifiers.ctrl && std::abs(delta) <= kMostPinchPx) delta *= kPinchScale;
   s.moveCamera(zoom(s.camera, wheelZoomFactor(delta), s.pivotUnder(screen), cameraLimits(s.scene.bounds)));
@@ -286,7 +286,7 @@ void Editor::State::cancelHandleGesture() {
 /// Marks what the pointer rests on, in the lines as they are now.
 void Editor::State::updateHover() {
   std::optional<HandleKey> now;
-  if (hoverAt && !handleGesture && !cameraGesture) now = pointedAt(*hoverAt);
+  if (hoverAt && !handHolds()) now = pointedAt(*hoverAt);
   if (now == hovered) return;
   hoveredBefore = hovered;
   hovered = now;

@@ -129,6 +129,7 @@ struct Editor::State {
 
   // editor.cpp
   [[nodiscard]] bool hasSize() const { return widthPx >= 1 && heightPx >= 1; }
+  [[nodiscard]] bool handHolds() const { return handleGesture || cameraGesture; }
   [[nodiscard]] View currentView() const { return {camera, widthPx, heightPx, scene.bounds}; }
   void notify(EditorEvent event);
   void begin(const Values& first);
@@ -178,7 +179,7 @@ struct Editor::State {
   // editor_frame.cpp
   void rebuild();
   void measureAndPlace(const View& view);
-  [[nodiscard]] bool unsettled() const { return !placer.settled() && !handleGesture && !cameraGesture; }
+  [[nodiscard]] bool unsettled() const { return !placer.settled() && !handHolds(); }
   void settleLines(bool moved);
   void measureVisibility(const View& view, bool moving);
   void placeOn(const View& view, bool moving);

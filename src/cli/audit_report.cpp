@@ -103,7 +103,7 @@ void printAudit(const Model& model, const AuditPart& part, std::size_t worst, st
       << "\n";
   for (std::size_t i = 0; i < kAuditRowCount; ++i) {
     const RowDefinition& row = definition(static_cast<AuditRow>(i));
-    if (comparesFrames(row.row) && !part.comparesFrames) continue;
+    if (!part.measures(row.row)) continue;
     ++measured;
     const Figure figure = part.placed.figure(row.row);
     met += figure.met ? 1 : 0;
@@ -129,7 +129,7 @@ void writeAudit(JsonWriter& json, const Model& model, const std::vector<AuditPar
     json.key("rows").beginArray();
     for (std::size_t i = 0; i < kAuditRowCount; ++i) {
       const auto row = static_cast<AuditRow>(i);
-      if (part.comparesFrames || !comparesFrames(row)) writeRow(json, part, definition(row), worst);
+      if (part.measures(row)) writeRow(json, part, definition(row), worst);
     }
     json.endArray();
     json.endObject();

@@ -71,33 +71,22 @@ public:
     return parts_.back();
   }
 
-  void orbits(const Values& values, const std::string& prefix, int every, std::size_t restEvery = 0) {
+  /// `restEvery`: see Flight; the frames held against their pixels are then to be those.
+  void orbits(const Values& values, const std::string& prefix, int every, int restEvery = 0) {
     const Scene scene = model_.definition.build(values);
     for (const double elevationDeg : kElevationsDeg) {
       Flight flight = orbit(scene.bounds, elevationDeg, plan_.stepDeg, plan_.widthPx, plan_.heightPx);
-      flight.restEvery = restEvery;
+      flight.restEvery = static_cast<std::size_t>(restEvery);
       for (FrameName& name : flight.names) name.flight = prefix + name.flight;
       audit(scene, values, std::move(flight), every);
     }
   }
 
-  /// What is seen on the way is placed and not judged.
-  void orbitRests(const Values& values, double restDeg) {
-    parts_.back().comparesFrames = false;
-    const int frames = framesIn(restDeg, plan_.stepDeg);
-    orbits(values, "", frames, static_cast<std::size_t>(frames));
-  }
-  void flightRests(const Values& values, double restDeg) {
-    parts_.back().comparesFrames = false;
-    const int frames = framesIn(restDeg, 1);
-    flights(values, frames, static_cast<std::size_t>(frames));
-  }
-
-  void flights(const Values& values, int every, std::size_t restEvery = 0) {
+  void flights(const Values& values, int every, int restEvery = 0) {
     const Scene scene = model_.definition.build(values);
     for (int i = 0; i < plan_.flights; ++i) {
       Flight flight = randomFlight(scene.bounds, static_cast<std::uint64_t>(i));
-      flight.restEvery = restEvery;
+      flight.restEvery = static_cast<std::size_t>(restEvery);
       audit(scene, values, std::move(flight), every);
     }
   }
@@ -138,7 +127,7 @@ void Auditor::audit(const Scene& scene, const Values& values, Flight flight, int
   AuditPart& part = parts_.back();
   const FlownFlight flown = fly(model_, scene, values, std::move(flight), part.placed);
   const std::vector<Layout> frozenLayouts = frozen(flown, scene);
-  if (part.comparesFrames) {
+  if (flown.flight.restEvery == 0) {
     measureSteps(model_, flown.layouts, flown.flight.names, part.placed);
     measureSteps(model_, frozenLayouts, flown.flight.names, part.frozen);
   }
@@ -176,7 +165,8 @@ std::vector<AuditPart> auditModel(const Model& model, const Values& values, cons
   auditor.orbits(values, "", plan.every.value_or(1));
   if (plan.restDeg) {
     auditor.begin("rests");
-    auditor.orbitRests(values, *plan.restDeg);
+    const int frames = framesIn(*plan.restDeg, plan.stepDeg);
+    auditor.orbits(values, "", frames, frames);
   }
   if (plan.extremes) {
     auditor.begin("extremes");
@@ -187,7 +177,8 @@ std::vector<AuditPart> auditModel(const Model& model, const Values& values, cons
     auditor.flights(values, plan.every.value_or(kEveryInFlights));
     if (plan.restDeg) {
       auditor.begin("flight-rests");
-      auditor.flightRests(values, *plan.restDeg);
+      const int frames = framesIn(*plan.restDeg, 1);
+      auditor.flights(values, frames, frames);
     }
   }
   return auditor.take();

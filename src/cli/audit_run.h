@@ -27,7 +27,6 @@ struct AuditPlan {
 /// One table: what was found over some flights.
 struct AuditPart {
   std::string title;  ///< "orbits", "rests", "extremes", "flights", "flight-rests"
-  bool comparesFrames = true;  ///< the rows that compare a frame with those before it were measured
   /// The ways that were flown, and at which values of the parameters.
   struct Leg {
     Values values;
@@ -39,6 +38,9 @@ struct AuditPart {
   double seconds = 0;
   AuditTally placed;
   AuditTally frozen;  ///< the first frame's lines of each flight, fixed in the world
+
+  /// Whether a row was measured. Of flights that rest the pictures at rest are, and other frames lie between them.
+  [[nodiscard]] bool measures(AuditRow row) const { return !comparesFrames(row) || flights.empty() || flights.front().flight.restEvery == 0; }
 };
 
 /// Places a model along many ways round it and measures every AuditRow. Uses all processors; the

@@ -172,12 +172,12 @@ void Placer::place(const View& view, const DistanceFields& fields, const Values&
   facePlanes(s.objectPlanes, view, s.objectPlaneUses);
 
   const FrameToPlace frame{view, fields, values, held, viewMoved || settles};
+  s.kind = {.isFirst = first && held.empty(), .settles = settles, .zooms = s.foresight.zooms()};
   // What was edited may find another place at once.
   const bool firm = !sceneChanged && held.empty();
   // In a first picture there is nothing to keep, but what is amiss can be mended.
-  s.firm = firm || (first && held.empty());
+  s.firm = firm || s.kind.isFirst;
   s.occupied.begin(fields);
-  s.kind = {.isFirst = first && held.empty(), .settles = settles, .zooms = s.foresight.zooms()};
   // In a picture that will be looked at for long nothing is known of what is ahead: another round of the same view makes up for that.
   const int rounds = s.kind.rests() ? kRoundsAtRest : 1;
   s.asksForRoom = rounds > 1;

@@ -10,14 +10,35 @@
 using namespace dimline;
 using namespace dimline::test;
 
-TEST_CASE("a still camera moves nothing, bit for bit") {
-  EditorStage stage;
+namespace {
+
+void requireNothingMoves(EditorStage& stage) {
   const Layout before = stage.editor.layout();
   for (int i = 0; i < 100; ++i) {
     stage.frame();
     REQUIRE(stage.editor.atRest());
     REQUIRE(sameLayout(before, stage.editor.layout()));
   }
+}
+
+/// Turns the camera in frames, as a script would; `look()` after each.
+template <typename Look>
+void turnInFrames(EditorStage& stage, int frames, Look look) {
+  for (int i = 0; i < frames; ++i) {
+    REQUIRE(stage.editor.setCamera(orbitCamera({0, 2, 0}, 30, 3.0 * i, 20)));
+    stage.frame();
+    look();
+  }
+}
+void turnInFrames(EditorStage& stage, int frames) {
+  turnInFrames(stage, frames, [] {});
+}
+
+}  // namespace
+
+TEST_CASE("a still camera moves nothing, bit for bit") {
+  EditorStage stage;
+  requireNothingMoves(stage);
 }
 
 TEST_CASE("at rest the layout is what the placer gives for the present camera") {
@@ -52,15 +73,13 @@ TEST_CASE("at rest the layout is what the placer gives for the present camera") 
 
 TEST_CASE("a steady orbit comes to rest soon after it ends") {
   EditorStage stage;
-  for (int i = 0; i < 60; ++i) {
-    REQUIRE(stage.editor.setCamera(orbitCamera({0, 2, 0}, 30, 3.0 * i, 20)));
-    stage.frame();
+  turnInFrames(stage, 60, [&] {
     const Layout& layout = stage.editor.layout();
     REQUIRE(stage.editor.lineStates().size() == layout.lines.size());
     for (const PlacedLine& line : layout.lines) {
       REQUIRE(glm::length(layout.view.toScreen(line.line.end) - line.lineScreen.end) < 1e-6);  // mid-animation too
     }
-  }
+  });
   REQUIRE(stage.settle() <= 36);  // 350 ms, 180 ms and some frames
   REQUIRE(stage.editor.fadingLines().empty());
 }
@@ -109,51 +128,33 @@ TEST_CASE("a hand that lets go of the camera ends the movement: the lines rest s
   // While it holds the camera still the lines stay where they are, however long.
   for (int i = 0; i < 12; ++i) stage.frame();
   const Layout held = stage.editor.layout();
-  REQUIRE(stage.editor.atRest());
-  for (int i = 0; i < 100; ++i) {
-    stage.frame();
-    REQUIRE(sameLayout(held, stage.editor.layout()));
-  }
+  requireNothingMoves(stage);
   stage.up(from + Vec2(240, 0));
   REQUIRE_FALSE(stage.editor.atRest());
   REQUIRE(stage.settle() <= 14);  // 180 ms and a frame
   REQUIRE_FALSE(sameLayout(held, stage.editor.layout()));
-  // Then nothing moves any more.
-  const Layout rests = stage.editor.layout();
-  for (int i = 0; i < 100; ++i) {
-    stage.frame();
-    REQUIRE(stage.editor.atRest());
-    REQUIRE(sameLayout(rests, stage.editor.layout()));
-  }
+  requireNothingMoves(stage);
 }
 
 TEST_CASE("without a hand a movement is over when the camera has stood still for a while") {
   EditorStage stage;
-  const auto turn = [&](double deg) { REQUIRE(stage.editor.setCamera(orbitCamera({0, 2, 0}, 30, deg, 20))); };
-  for (int i = 0; i < 40; ++i) {
-    turn(3.0 * i);
-    stage.frame();
-  }
-  const auto sameChoices = [](const Layout& a, const Layout& b) { return std::ranges::equal(a.lines, b.lines, {}, &PlacedLine::identity, &PlacedLine::identity); };
+  turnInFrames(stage, 40);
   // Not between two steps a quarter of a second apart.
   for (int step = 0; step < 3; ++step) {
-    turn(117 + 0.01 * step);
+    REQUIRE(stage.editor.setCamera(orbitCamera({0, 2, 0}, 30, 117 + 0.01 * step, 20)));
     stage.frame();
     const Layout before = stage.editor.layout();
     for (int i = 0; i < 15; ++i) stage.frame();
-    REQUIRE(sameChoices(before, stage.editor.layout()));
+    REQUIRE(sameIdentities(before.lines, stage.editor.layout().lines));
   }
   const Layout before = stage.editor.layout();
   stage.settle();
-  REQUIRE_FALSE(sameChoices(before, stage.editor.layout()));
+  REQUIRE_FALSE(sameIdentities(before.lines, stage.editor.layout().lines));
 }
 
 TEST_CASE("who takes hold of a line takes the picture as it is: nothing settles when it is let go of") {
   EditorStage stage;
-  for (int i = 0; i < 40; ++i) {
-    REQUIRE(stage.editor.setCamera(orbitCamera({0, 2, 0}, 30, 3.0 * i, 20)));
-    stage.frame();
-  }
+  turnInFrames(stage, 40);
   for (int i = 0; i < 15; ++i) stage.frame();
   REQUIRE_FALSE(stage.editor.atRest());
   const Vec2 at = stage.handle("Height");
@@ -162,7 +163,7 @@ TEST_CASE("who takes hold of a line takes the picture as it is: nothing settles 
   const Layout held = stage.editor.layout();
   stage.up(at);
   stage.settle();
-  REQUIRE(std::ranges::equal(held.lines, stage.editor.layout().lines, {}, &PlacedLine::identity, &PlacedLine::identity));
+  REQUIRE(sameIdentities(held.lines, stage.editor.layout().lines));
 }
 
 TEST_CASE("a value that changes moves its line at once, without lagging behind the model") {

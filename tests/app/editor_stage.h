@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/editor.h"
+#include "support/same_layout.h"
 #include "support/scenes.h"
 
 /// An editor with a model and a viewport, as its tests drive it.
@@ -73,19 +74,6 @@ inline Camera orthoFront() {
   camera.target = {0, 2.5, 0};
   camera.orthoHeightM = 20;
   return camera;
-}
-
-inline bool sameLine(const PlacedLine& a, const PlacedLine& b) {
-  return a.identity == b.identity && a.line.start == b.line.start && a.line.end == b.line.end &&
-         a.lineScreen.start == b.lineScreen.start && a.lineScreen.end == b.lineScreen.end && a.text == b.text &&
-         a.label.has_value() == b.label.has_value() &&
-         (!a.label || (a.label->min == b.label->min && a.label->max == b.label->max)) &&
-         a.extensionStart == b.extensionStart && a.extensionEnd == b.extensionEnd;
-}
-
-inline bool sameLayout(const Layout& a, const Layout& b) {
-  return a.lines.size() == b.lines.size() && a.hidden.size() == b.hidden.size() &&
-         std::equal(a.lines.begin(), a.lines.end(), b.lines.begin(), sameLine);
 }
 
 }  // namespace dimline::test

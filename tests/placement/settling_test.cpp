@@ -2,6 +2,7 @@
 #include <catch2/catch.hpp>
 #include <span>
 
+#include "support/same_layout.h"
 #include "support/stage.h"
 
 using namespace dimline;
@@ -21,10 +22,6 @@ double distancePx(const Layout& layout) {
 
 std::ptrdiff_t changes(std::span<const PlacedLine> from, std::span<const PlacedLine> to) {
   return std::ranges::count_if(to, [&](const PlacedLine& line) { return std::ranges::find(from, line.identity, &PlacedLine::identity) == from.end(); });
-}
-
-bool sameLines(std::span<const PlacedLine> a, std::span<const PlacedLine> b) {
-  return std::ranges::equal(a, b, [](const PlacedLine& x, const PlacedLine& y) { return x.identity == y.identity && x.lineScreen.start == y.lineScreen.start && x.lineScreen.end == y.lineScreen.end; });
 }
 
 /// A box after a turn by so many degrees.
@@ -83,16 +80,16 @@ TEST_CASE("lines have settled until the view moves") {
 TEST_CASE("what has settled stays before a still camera, and moves with it afterwards") {
   for (double to = 15; to < 360; to += 30) {
     TurnedStage stage(to);
-    const std::vector<PlacedLine> rests = stage.settle(to).lines;
+    const Layout rests = stage.settle(to);
     for (int frame = 0; frame < 3; ++frame) {
       stage.look(turned(to));
-      CHECK(sameLines(rests, stage.layout.lines));
+      CHECK(sameLayout(rests, stage.layout));
     }
     // Where it is best already nothing is better by the price of a change.
     stage.settle(to);
-    CHECK(changes(rests, stage.layout.lines) <= 1);
+    CHECK(changes(rests.lines, stage.layout.lines) <= 1);
     stage.look(turned(to + 1));
-    CHECK(changes(rests, stage.layout.lines) <= 1);
+    CHECK(changes(rests.lines, stage.layout.lines) <= 1);
   }
 }
 
@@ -130,14 +127,14 @@ TEST_CASE("a model that is forgotten has nothing to settle") {
   stage.placer.settle();
   stage.placer.forget();
   CHECK(stage.placer.settled());
-  const std::vector<PlacedLine> first = stage.look(turned(60)).lines;
+  const Layout first = stage.look(turned(60));
   Stage fresh(boxWithDoor());
-  CHECK(sameLines(first, fresh.look(turned(60)).lines));
+  CHECK(sameLayout(first, fresh.look(turned(60))));
 }
 
 TEST_CASE("lines settle in the same places twice, bit for bit") {
   TurnedStage one(75), two(75);
   one.settle(75);
   two.settle(75);
-  CHECK(sameLines(one.layout.lines, two.layout.lines));
+  CHECK(sameLayout(one.layout, two.layout));
 }
