@@ -221,7 +221,7 @@ void Editor::resize(double widthPx, double heightPx, double devicePixelRatio) {
   s.heightPx = heightPx;
   s.recall.reset();
   s.devicePixelRatio = devicePixelRatio;
-  s.staysAsComposed = false;
+  s.settlesAtOnce = false;
   s.viewStale = true;
   s.pictureStale = true;
   if (s.cameraUntouched && s.loaded && !s.handleGesture) s.openingCamera();
@@ -276,7 +276,7 @@ void Editor::State::moveCamera(const Camera& next) {
   cameraUntouched = false;
   compositionDue = false;
   if (next == camera) return;  // or two hosts that follow each other would do so for ever
-  staysAsComposed = false;
+  settlesAtOnce = false;
   if (handleGesture) endHandleGesture();  // a drag is measured by the camera with which it began
   camera = next;
   recall.reset();  // it was of another picture
@@ -306,7 +306,7 @@ void Editor::State::compose() {
   const auto fields = fieldSource.measure(view, FieldsFrom::kCpu, devicePixelRatio, nullptr);
   if (!fields) return;
   const Camera next = composed(view, *fields, scene, placedValues(), placer);
-  staysAsComposed = true;
+  settlesAtOnce = true;
   if (next == camera) return;
   camera = next;
   viewStale = true;

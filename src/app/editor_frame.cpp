@@ -105,9 +105,9 @@ void Editor::State::measureAndPlace(const View& view) {
   settleLines(moved);
 }
 
-/// Lets lines find the places in which they rest once a movement has ended: at once when a hand lets go of the camera.
+/// Lets lines find the places in which they rest once a movement has ended: at once when a hand lets go of the camera, and after a leap to another view.
 void Editor::State::settleLines(bool moved) {
-  if (moved) settleMs = nowMs + kSettleAfterMs;
+  if (moved) settleMs = nowMs + (std::exchange(settlesAtOnce, false) || placer.anew() ? 0.0 : kSettleAfterMs);
   if (std::exchange(inHand, handHolds()) && !inHand) settleMs = nowMs;
   if (!unsettled() || nowMs < settleMs || !placedOnce || !fieldSource.current() || visibilityStale) return;
   placer.settle();
@@ -143,7 +143,7 @@ void Editor::State::placeOn(const View& view, bool moving) {
   }
   placer.place(view, fieldSource.fields(), placedValues(), placed, &visibilitySource.seen(), heldLines);
   if (!fieldSource.current()) placer.awaitFields();
-  else if (std::exchange(staysAsComposed, false)) placer.settleAsIs();
+  else if (!placedOnce) placer.placeSettled(view, fieldSource.fields(), placedValues(), placed, &visibilitySource.seen());   // nobody has seen anything yet that would wait
   for (const PlacedLine& line : heldLines) {
     if (line.chain >= 0) holdMember(line);
   }

@@ -145,12 +145,13 @@ FlownFlight fly(const Model& model, const Scene& scene, const Values& values, Fl
     const View view(flown.flight.cameras[i], flown.flight.widthPx, flown.flight.heightPx, scene.bounds);
     cpu.produce(view, fields);
     visible.measure(scene, view, visibility);
-    if (flown.flight.restEvery > 0 && i > 0 && i % flown.flight.restEvery == 0) {
-      placer.settle();
-      stillPlacer.settle();
-    }
-    placer.place(view, fields, values, flown.layouts.emplace_back(), &visibility);
-    for (Layout& layout : still) stillPlacer.place(view, fields, values, layout, &visibility);
+    const bool rests = flown.flight.restEvery > 0 && i > 0 && i % flown.flight.restEvery == 0;
+    const auto placeIn = [&](Placer& by, bool settled, Layout& layout) {
+      if (settled) by.placeSettled(view, fields, values, layout, &visibility);
+      else by.place(view, fields, values, layout, &visibility);
+    };
+    placeIn(placer, rests, flown.layouts.emplace_back());
+    for (Layout& layout : still) placeIn(stillPlacer, rests && &layout == &still.front(), layout);
     measureStill(model, still[0], still[1], flown.flight.names[i], tally);
     measureStill(model, still[1], still[2], flown.flight.names[i], tally);
   }

@@ -131,6 +131,7 @@ Status layOut(Job& job, FieldMeasurer& measurer, JsonWriter& json) {
     if (Status status = measurer.measure(view, fields); !status) return status;
     visibility.measure(job.scene, view, seen);
     placer.place(view, fields, job.values, layout, &seen);
+    if (i == 0 || placer.anew()) placer.placeSettled(view, fields, job.values, layout, &seen);   // as in the page
     writeFrame(json, job.model, job.scene, layout);
     if (options.masksFolder) {
       const Status status = writeMask(numbered(*options.masksFolder, i, ".pgm"), coverageMask(job.scene, view));

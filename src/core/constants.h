@@ -113,7 +113,7 @@ inline constexpr int kReturnFrames = 20;
 inline constexpr double kScoreChange = -24.0 * kHandleSpacingPx;
 /// The same when a movement has ended (Placer::settle()): the picture will be looked at for long, so a change that is once more than paid for by what it brings. Less: more lines than need to change places when the
 /// hand lets go. More: they rest where the movement left them, far out and along faces that have turned away.
-inline constexpr double kScoreChangeSettling = -1.0 * kHandleSpacingPx;
+inline constexpr double kScoreChangeSettling = -2.0 * kHandleSpacingPx;
 inline constexpr double kChangesOfLeap = 3.5;
 inline constexpr double kChangesOfReturn = 8.0;
 /// The price of a change, as a share, where it leaves no line at all that runs across another's extension line, since a picture without is read at a glance. Less: more such pictures, and more changes. For the last
@@ -147,15 +147,20 @@ inline constexpr int kShortestFirstEvery = 3;
 /// Attempts more at a frame in which lines run across others' extension lines, each drawn at random: who looks for another place, and the order, in which at most so many lines come before a shorter one. Fewer: more
 /// such lines, which stay for longer. More: a tenth fewer of them, and a few changes of place more, for twice as many; each costs a frame with such lines about half as much time as placing it.
 inline constexpr int kShuffles = 24;
-/// The same in a first picture and in one in which lines settle, which are looked at for long, and of how many lines each looks for another place there, the shortest. More: such a picture is there later.
-inline constexpr int kShufflesAtRest = 60;
+/// The same in a first picture, and of how many lines each looks for another place there and where lines settle, the shortest. More: such a picture is there later.
+inline constexpr int kShufflesAtFirst = 60;
 inline constexpr std::size_t kLooksAtRest = 60;
+/// The same in each round in which lines settle, whether any run across others' extension lines or not: a picture that is looked at for long is worth the time. Fewer: lines are left far from what they measure. More: it
+/// takes longer, for little more.
+inline constexpr int kShufflesSettling = 30;
 inline constexpr std::size_t kMostPuts = 3;
 /// Before so many of its lines' turns it is kept how an attempt stands, so that another one that begins likewise goes on from there; about 20 kB each in a viewport of 1000x1000. More: it takes memory. Fewer: lines are placed
 /// again that come to the same.
 inline constexpr std::size_t kMostKeptTurns = 32;
-/// How often such a picture is placed, the second time with a view to what was placed the first time. More: fewer lines across others' extension lines, and fewer of those through numbers; it takes longer.
-inline constexpr int kRoundsAtRest = 2;
+/// How often such a picture is placed, each time with a view to what was placed the time before. More: fewer lines across others' extension lines, and fewer of those through numbers; where lines settle, lines nearer to what
+/// they measure; it takes longer, and beyond this many gives hardly more.
+inline constexpr int kRoundsAtFirst = 2;
+inline constexpr int kRoundsSettling = 4;
 /// Moved frames after which any line may look for a better place, though nothing is amiss with it.
 inline constexpr int kFramesToLookAround = 3;
 
@@ -255,6 +260,10 @@ inline constexpr double kScorePlane = 3.0 * kHandleSpacingPx;            ///< la
 /// per px. Beyond the paper: a line that has slid along itself, since its extension lines lead askew to it, lies beside another part of the model than its own and seems to measure that; such a px costs so much more
 /// than one straight away from the base line. More: lines go to edges that the model hides, or across extension lines, to lie beside their own.
 inline constexpr double kScoreAskew = -1.0;
+
+/// per px. Beyond the paper: extension lines that run over the model, as over a roof to what is behind it, hide it and seem to measure what they run over; where lines settle such a px costs so much
+/// more than one beside the model. More: lines go round others, far out, to stay on the side that faces the viewer. Not while the camera moves: what is the shorter way over the model changes with each degree.
+inline constexpr double kScoreOverModel = -2.0;
 
 // --- Geometry ---------------------------------------------------------------------------------------------------------
 

@@ -110,8 +110,16 @@ bool isShownAnewInVain(const CandidateContext& context, const Foresight::Prospec
   return prospect.shortSoon && context.history.shownAnew() && !context.showAll;
 }
 
+/// How far (px) the candidate's extension lines run over the model, about: from the base line to where the model alone would let it lie.
+double overModelPx(const CandidateContext& context, const Candidate& candidate, const Slide& slide) {
+  const double clearM = std::min(leastClearingOffset(context.paddedModel, slide, candidate.offsetM), candidate.offsetM);
+  const Segment clear = slide.at(clearM);
+  if (!context.view.inFrontOfNear(clear)) return 0;
+  return std::max(glm::length(context.view.toScreen(clear).middle() - candidate.baseScreen.middle()) - kHandleSpacingPx, 0.0);
+}
+
 /// Scores the placed candidate and keeps it.
-void keep(const CandidateContext& context, const UsableBaseLine& base, Candidate& candidate, std::vector<Candidate>& candidates) {
+void keep(const CandidateContext& context, const UsableBaseLine& base, Candidate& candidate, const Slide& slide, std::vector<Candidate>& candidates) {
   // Before a still camera it is the place itself that is looked for: the same identity may have others, on guides.
   if (context.only != nullptr && !context.viewMoved && !context.history.stays(candidate.identity, away(candidate.baseScreen, candidate.lineScreen))) return;
   candidate.hysteresis = context.history.bonus(candidate.identity, away(candidate.baseScreen, candidate.lineScreen));
@@ -122,6 +130,7 @@ void keep(const CandidateContext& context, const UsableBaseLine& base, Candidate
                            .planeKind = candidate.plane.kind,
                            .facing = candidate.plane.facing}) +
                     kScoreAskew * askewPx(candidate.baseScreen, candidate.lineScreen) + candidate.hysteresis;
+  if (context.settles) candidate.score += kScoreOverModel * overModelPx(context, candidate, slide);
   const Identity& identity = candidate.identity;
   if (context.rests || identity != context.history.last()) {
     const bool chain = base.cluster >= 0;
@@ -238,7 +247,7 @@ void gatherGuideCandidates(const CandidateContext& context, const UsableBaseLine
       if (!slide || leastClearingOffset(context.paddedModel, *slide) > offsetM * (1 + kRoundingShare)) continue;
       candidate.placement = PlacementKind::kGuide;
       candidate.guide = static_cast<int>(i);
-      if (placeAt(candidate, *slide, offsetM, context.view)) keep(context, base, candidate, candidates);
+      if (placeAt(candidate, *slide, offsetM, context.view)) keep(context, base, candidate, *slide, candidates);
     }
   });
 }
@@ -258,12 +267,12 @@ void gatherOutsideCandidates(const CandidateContext& context, const UsableBaseLi
       const double relaxedM = std::min(context.history.relaxedOffsetM(offsetM, stepM), mostM);
       if (relaxedM > offsetM && placeAt(candidate, *slide, relaxedM, context.view)) {
         candidate.hasSecondOffset = true;
-        keep(context, base, candidate, candidates);
+        keep(context, base, candidate, *slide, candidates);
         candidate.hasSecondOffset = false;
         candidate.secondOffset = true;
       }
     }
-    if (placeAt(candidate, *slide, offsetM, context.view)) keep(context, base, candidate, candidates);
+    if (placeAt(candidate, *slide, offsetM, context.view)) keep(context, base, candidate, *slide, candidates);
   });
 }
 

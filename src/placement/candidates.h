@@ -78,6 +78,7 @@ struct CandidateContext {
   std::span<const Sight> sights = {};  ///< one a scope: how much of it is seen
   Vec2 textSize{0.0};                  ///< px, of a line's label
   bool rests = false;                  ///< the picture will be looked at for long: a place that is there already costs what a new one would
+  bool settles = false;                ///< lines settle: how far extension lines run over the model counts
   bool seenInside = false;             ///< a base line that is seen can stand for itself, so no new place that comes from behind the model is taken for a moment only
 };
 

@@ -71,7 +71,9 @@ std::optional<Attempt> Mending::next(const Outcome& outcome, bool shortestFirst)
   if (!std::exchange(ordered_, true)) {
     if (const auto order = nextOrder(outcome, shortestFirst)) return order;
   }
-  if (shuffles_ == (outcome.frame.rests() ? kShufflesAtRest : kShuffles) || outcome.tangled.empty()) return std::nullopt;
+  const FrameKind& frame = outcome.frame;
+  const int most = frame.settles ? kShufflesSettling : frame.isFirst ? kShufflesAtFirst : kShuffles;
+  if (shuffles_ == most || outcome.outside.size() < 2 || (outcome.tangled.empty() && !frame.settles)) return std::nullopt;
   ++shuffles_;
   return shuffle(outcome);
 }
@@ -115,13 +117,13 @@ std::optional<Attempt> Mending::nextOrder(const Outcome& outcome, bool shortestF
 /// Mostly another order, and mostly someone who looks for another place, both rather of lines that are in a tangle.
 Attempt Mending::shuffle(const Outcome& outcome) {
   const std::size_t ranks = outcome.outside.size();
-  const auto [earlier, later] = outcome.tangled[anyOf(outcome.tangled.size())];
+  const auto [earlier, later] = outcome.tangled.empty() ? anyTwo(ranks) : outcome.tangled[anyOf(outcome.tangled.size())];
   Attempt attempt{.shortestFirst = anyOf(4) == 0};
   attempt.putCount = anyOf(kMostPuts + 1);
   attempt.puts[0] = {.rank = later, .before = earlier};
   for (std::size_t i = 1; i < attempt.putCount; ++i) {
-    const std::size_t rank = anyOf(ranks);
-    attempt.puts[i] = {.rank = rank, .before = (rank + 1 + anyOf(ranks - 1)) % ranks};
+    const auto [rank, before] = anyTwo(ranks);
+    attempt.puts[i] = {.rank = rank, .before = before};
   }
   // One time in three nobody looks.
   const std::array looks{later, earlier, anyOf(ranks), anyOf(ranks)};

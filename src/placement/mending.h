@@ -69,7 +69,7 @@ class Mending {
   /// First one line looks for another place: one that has just changed its place, since what pushed it may have a better place as well, or else, every kFramesToLookAround frames, any; otherwise
   /// those with which something is amiss, in turns. In a picture that rests each does, one after the other, up to kLooksAtRest. Then a line that went back to what it had left lately comes before who else has
   /// changed its place; or else, of two lines that are in a tangle, the later one comes first, in turns; or, now and then, the shortest first again, if it is not so. Where any are in a tangle kShuffles attempts at
-  /// random (kShufflesAtRest where it rests) come last: of what those in turns do not find they find as much as any other rule did, and they do not try the same in every frame.
+  /// random (kShufflesAtFirst in a first picture), and where lines settle kShufflesSettling in any case, come last: of what those in turns do not find they find as much as any other rule did, and they do not try the same in every frame.
   std::optional<Attempt> next(const Outcome& outcome, bool shortestFirst);
 
  private:
@@ -77,6 +77,11 @@ class Mending {
   std::optional<Attempt> nextOrder(const Outcome& outcome, bool shortestFirst);
   Attempt shuffle(const Outcome& outcome);
   std::size_t anyOf(std::size_t count) { return dice_() % count; }
+  /// Two different ones of at least two.
+  std::pair<std::size_t, std::size_t> anyTwo(std::size_t count) {
+    const std::size_t one = anyOf(count);
+    return {one, (one + 1 + anyOf(count - 1)) % count};
+  }
 
   // At this frame so far.
   std::size_t looks_ = 0;

@@ -29,6 +29,7 @@ Placer::Placer(Placer&&) noexcept = default;
 Placer& Placer::operator=(Placer&&) noexcept = default;
 
 void Placer::forget() {
+  state_->settling.step = 0;
   State::Past& past = state_->past;
   past.forget();
   state_->onDemand.forget();
@@ -39,7 +40,7 @@ void Placer::forget() {
   past.crowded = 0;
   past.framesWithRoom = 0;
   past.settled = true;
-  past.settles = false;
+  past.settles = past.anew = false;
 }
 
 void Placer::State::Choices::forget() {
@@ -61,24 +62,29 @@ struct Placer::Memory::Content {
 
 Placer::Memory Placer::memory() const {
   Memory memory;
-  memory.content_ = std::make_shared<const Memory::Content>(Memory::Content{state_->past, state_->onDemand, state_->foresight});
+  const State& s = *state_;
+  memory.content_ = std::make_shared<const Memory::Content>(Memory::Content{s.settling.step > 0 ? s.settling.before : s.past, s.onDemand, s.foresight});
   return memory;
 }
 
 void Placer::recall(const Memory& memory) {
   if (memory.content_ == nullptr || memory.content_->past.histories.size() != state_->past.histories.size()) return;
+  state_->settling.step = 0;
   state_->past = memory.content_->past;
   state_->onDemand = memory.content_->onDemand;
   state_->foresight = memory.content_->foresight;
 }
 
-void Placer::awaitFields() { state_->past.sceneChanged = state_->past.sceneChanged || !state_->firm; }
+void Placer::awaitFields() {
+  state_->breakOffSettling();
+  state_->past.sceneChanged = state_->past.sceneChanged || !state_->firm;
+}
 
 void Placer::settle() { state_->past.settles = true; }
 
-void Placer::settleAsIs() { state_->past.settled = true; }
-
 bool Placer::settled() const { return state_->past.settled; }
+
+bool Placer::anew() const { return state_->past.anew; }
 
 void Placer::showHidden(bool shown) {
   if (shown && !state_->showHidden) state_->onDemand.forget();
@@ -89,6 +95,7 @@ void Placer::placeAttemptsWhole(bool whole) { state_->attemptsAreWhole = whole; 
 
 void Placer::setScene(const Model& model, const Scene& scene) {
   State& s = *state_;
+  s.breakOffSettling();
   // With measures a model has more parameters, and without them fewer; those that it has in both cases keep their places.
   const std::span<const Parameter> parameters(model.parameters().begin(), model.parameters().end());
   const std::size_t common = std::min(s.parameters.size(), parameters.size());
@@ -156,17 +163,26 @@ void Placer::State::keepChains(std::span<const Measured> before, const Measured&
 void Placer::place(const View& view, const DistanceFields& fields, const Values& values, Layout& layout,
                    const ScopeVisibility* visibility, std::span<const PlacedLine> held) {
   State& s = *state_;
+  const bool asked = std::exchange(s.past.settles, false);
+  const bool goesOn = asked && s.settling.step > 0 && samePicture(view, *s.past.view) && held.empty();
+  if (!goesOn) s.breakOffSettling();
+  if (s.settling.step == 1) {   // the second step sets out from where the first did
+    std::swap(s.past, s.settling.fromThere);
+    s.past = s.settling.before;
+  }
   const double turnRad = s.past.view ? turnBetween(*s.past.view, view) : 0.0;
   if (turnRad > kForgetTurnRad) forget();
   const bool first = !s.past.view;
   const bool sceneChanged = std::exchange(s.past.sceneChanged, false);
-  const bool settles = std::exchange(s.past.settles, false) && !first && !sceneChanged && held.empty();
+  const bool settles = asked && !first && !sceneChanged && held.empty();
+  if (settles && !goesOn) s.settling.before = s.past;
   // An edit is not part of the movement before it, and where that ends nothing more is to come.
   s.foresight.begin(sceneChanged || settles ? std::nullopt : s.past.view, view, s.bounds, s.objectPlanes, s.toleranceM);
   const bool viewMoved = s.beginFrame(view);
-  if (settles && !viewMoved) std::ranges::for_each(s.past.histories, &History::age);   // lines may go wherever they may in a movement
+  if (settles && !viewMoved && s.settling.step <= 1) std::ranges::for_each(s.past.histories, &History::age);   // lines may go wherever they may in a movement
   // Who has taken hold of a line has taken the picture as it is.
-  s.past.settled = first || settles || !held.empty() || (s.past.settled && !viewMoved);
+  s.past.settled = !settles && (!held.empty() || (s.past.settled && !first && !viewMoved));
+  s.past.anew = first;
   // In another scene a scope has no past: what an edit covers is hidden at once, and what it lays open is shown.
   s.findVisible(view, visibility, sceneChanged ? kReturnFrames : viewMoved ? std::max(static_cast<int>(turnRad / kFrameTurnRad), 1) : 0);
   facePlanes(s.objectPlanes, view, s.objectPlaneUses);
@@ -178,17 +194,8 @@ void Placer::place(const View& view, const DistanceFields& fields, const Values&
   // In a first picture there is nothing to keep, but what is amiss can be mended.
   s.firm = firm || s.kind.isFirst;
   s.occupied.begin(fields);
-  // In a picture that will be looked at for long nothing is known of what is ahead: another round of the same view makes up for that.
-  const int rounds = s.kind.rests() ? kRoundsAtRest : 1;
-  s.asksForRoom = rounds > 1;
-  if (settles) s.placeSettling(frame, layout);
-  else s.placeOnce(frame, sceneChanged, true, layout);
-  for (int round = 1; round < rounds; ++round) {
-    s.firm = true;
-    s.asksForRoom = round + 1 < rounds;
-    for (History& history : s.past.histories) history.age();
-    s.placeOnce(frame, false, false, layout);
-  }
+  if (!settles) s.placeInRounds(frame, sceneChanged, layout);
+  else if (!s.settleOn(frame, layout)) return;
   s.firm = firm;
   s.past.labels.note(layout.lines, frame.viewMoved);
   if (s.showHidden) s.placeOnDemand(frame, sceneChanged, layout);
@@ -200,21 +207,60 @@ void Placer::place(const View& view, const DistanceFields& fields, const Values&
   }
 }
 
-/// The first round of a frame in which lines settle: once from where they are, and once as if nothing were remembered of them. The next round goes on from the better one.
-void Placer::State::placeSettling(const FrameToPlace& frame, Layout& layout) {
-  const Past before = past;
-  const auto place = [&] {
-    placeOnce(frame, false, true, layout);
-    outcome.changes = 0;
-    for (std::size_t i = 0; i < before.histories.size(); ++i) outcome.changes += past.histories[i].last() == before.histories[i].last() ? 0 : 1;
-  };
-  place();
-  const Outcome fromWhereTheyWere = outcome;
-  Past there = std::exchange(past, before);
-  past.forget();
-  past.crowded = 0;
-  place();
-  if (!outcome.betterThan(fromWhereTheyWere)) past = std::move(there);
+void Placer::placeSettled(const View& view, const DistanceFields& fields, const Values& values, Layout& layout, const ScopeVisibility* visibility) {
+  do {
+    settle();
+    place(view, fields, values, layout, visibility);
+  } while (!settled());
+}
+
+/// A frame that is placed at once. Of a first picture nothing is known of what is ahead: another round of the same view makes up for that.
+void Placer::State::placeInRounds(const FrameToPlace& frame, bool sceneChanged, Layout& layout) {
+  const int rounds = kind.isFirst ? kRoundsAtFirst : 1;
+  asksForRoom = rounds > 1;
+  placeOnce(frame, sceneChanged, true, layout);
+  for (int round = 1; round < rounds; ++round) placeRound(frame, round + 1 == rounds, layout);
+}
+
+/// Another round of the same view.
+void Placer::State::placeRound(const FrameToPlace& frame, bool isLast, Layout& layout) {
+  firm = true;
+  asksForRoom = !isLast;
+  std::ranges::for_each(past.histories, &History::age);
+  placeOnce(frame, false, false, layout);
+}
+
+/// The next step of settling. Returns whether that was the last; then the picture is in `layout`, which is left as it is until then.
+bool Placer::State::settleOn(const FrameToPlace& frame, Layout& layout) {
+  constexpr int kSteps = kRoundsSettling + 1;
+  const int step = ++settling.step;
+  if (step <= 2) placeSettling(frame);
+  else placeRound(frame, step == kSteps, settling.layout);
+  if (step < kSteps) return false;
+  settling.step = 0;
+  std::swap(layout, settling.layout);
+  past.settled = true;
+  return true;
+}
+
+/// The first round of settling, in two steps: once from where lines are, and once as if nothing were remembered of them. The next round goes on from the better one.
+void Placer::State::placeSettling(const FrameToPlace& frame) {
+  const bool anew = settling.step == 2;
+  if (anew) {
+    past.forget();
+    past.crowded = 0;
+  }
+  asksForRoom = true;
+  placeOnce(frame, false, true, settling.layout);
+  outcome.changes = 0;
+  for (std::size_t i = 0; i < past.histories.size(); ++i) outcome.changes += past.histories[i].last() == settling.before.histories[i].last() ? 0 : 1;
+  if (!anew) settling.outcome = outcome;
+  else if (!outcome.betterThan(settling.outcome)) past = settling.fromThere;
+}
+
+/// What was remembered before lines began to settle is remembered again.
+void Placer::State::breakOffSettling() {
+  if (std::exchange(settling.step, 0) > 0) past = settling.before;
 }
 
 /// A round of placing everything, and of mending it where lines keep their places. `shown`: what was placed before.

@@ -38,13 +38,16 @@ class Placer {
   [[nodiscard]] Memory memory() const;
   void recall(const Memory& memory);
 
-  /// To be told before the frame with which a movement ends. While the camera moves lines stay where they are as long as they can, so that the eye can follow, and end up far out or along what has turned away; in this
-  /// frame each looks for a better place, as in a first picture, and changes when that is better by more than kScoreChangeSettling. The view may be the last frame's; it says nothing while the scene changes or a line is held.
+  /// To be told before each frame after a movement has ended, until settled(). While the camera moves lines stay where they are as long as they can, so that the eye can follow, and end up far out or along what has turned away;
+  /// now each looks for a better place, as in a first picture, and changes when that is better by more than kScoreChangeSettling. That takes kRoundsSettling + 1 frames of the same view, each some milliseconds: until the
+  /// last of them place() leaves the layout as it is. Any other frame breaks it off, and all is as it was before. The view may be the last frame's; it says nothing while the scene changes or a line is held.
   void settle();
-  /// The picture that was placed last stays as it is: it counts as settled.
-  void settleAsIs();
-  /// Whether the view is the one in which the lines settled last, or were placed first. So it is, too, once a line is held: the picture is left as it is then.
+  /// All these frames at once, where nobody waits for the next one.
+  void placeSettled(const View& view, const DistanceFields& fields, const Values& values, Layout& layout, const ScopeVisibility* visibility = nullptr);
+  /// Whether the view is the one in which the lines settled last. So it is, too, once a line is held: the picture is left as it is then.
   [[nodiscard]] bool settled() const;
+  /// Whether the last frame was a first picture, since nothing was known of one before, or one of a view too far from it: what is placed at once is not as good as what settles, and nobody has seen lines that would move.
+  [[nodiscard]] bool anew() const;
 
   /// From the next frame on, handles are shown too that are hidden as occluded, too short, foreshortened or crowded (paper 5, "Rendering Handles": a modifier key
   /// shows all hidden handles). At the start they are not. They find their places beside those that are there anyway, none of which moves for them, and leave nothing behind.

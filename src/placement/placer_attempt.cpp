@@ -204,7 +204,7 @@ void Placer::State::placeAllHidden(const FrameToPlace& frame, Layout& layout) {
 
 ChoiceContext Placer::State::contextOf(const FrameToPlace& frame, const ObjectPlanesInFrame& object, const Measured& measured, const Identity* avoid) {
   return {frame.view, frame.fields, occupied, past.lookAhead, past.labels, object, foresight, scopes, usableScopes(measured), past.sights, toleranceM, frame.viewMoved,
-          firm, patient(), avoid, asksForRoom, kind.rests(), showAll};
+          firm, patient(), avoid, asksForRoom, kind.rests(), kind.settles, showAll};
 }
 
 /// Lines inside the model get their labels last, where there is room for them: such a line says what it is by where it lies, and all else has no other way to say it.

@@ -66,8 +66,19 @@ struct Placer::State {
     bool sceneChanged = false;        ///< since the last frame
     bool settled = true;              ///< see Placer::settled()
     bool settles = false;             ///< with the next frame
+    bool anew = false;                ///< see Placer::anew()
   };
   Past past;
+
+  /// Lines settle in several frames, one step in each, of which the last alone is shown.
+  struct Settling {
+    int step = 0;                     ///< so many are done
+    Past before;                      ///< what was remembered when the first began
+    Past fromThere;                   ///< what came of the first step, and how good it is
+    Outcome outcome;
+    Layout layout;                    ///< what came of the last step
+  };
+  Settling settling;
   bool showHidden = false;
   Choices onDemand;                   ///< what showHidden adds has a memory of its own, or it would change what is shown without it
   bool showAll = false;               ///< that is what is being placed
@@ -121,7 +132,11 @@ struct Placer::State {
 
   // placer.cpp
   void keepChains(std::span<const Measured> before, const Measured& now);
-  void placeSettling(const FrameToPlace& frame, Layout& layout);
+  void placeInRounds(const FrameToPlace& frame, bool sceneChanged, Layout& layout);
+  bool settleOn(const FrameToPlace& frame, Layout& layout);
+  void placeSettling(const FrameToPlace& frame);
+  void placeRound(const FrameToPlace& frame, bool isLast, Layout& layout);
+  void breakOffSettling();
   void forgetOffsets();
   bool beginFrame(const View& view);
   void findVisible(const View& view, const ScopeVisibility* visibility, int framesOn);

@@ -308,7 +308,23 @@ TEST_CASE("in a first picture every line looks for another place, once, and more
   CHECK(looksOf(attempts) == std::vector<std::size_t>{0, 1, 2, 3});
   CHECK(attempts.size() == kRanks);
   outcome.tangled = {{0, 2}};
-  CHECK(attemptsAt(mending, outcome).size() == kRanks + 1 + kShufflesAtRest);
+  CHECK(attemptsAt(mending, outcome).size() == kRanks + 1 + kShufflesAtFirst);
+}
+
+TEST_CASE("where lines settle every line looks for another place, and more is tried in any case") {
+  Outcome outcome = allOutside();
+  outcome.frame.settles = true;
+  Mending mending;
+  const std::vector<Attempt> attempts = attemptsAt(mending, outcome);
+  REQUIRE(attempts.size() == kRanks + kShufflesSettling);
+  for (const Attempt& attempt : attempts) {
+    for (std::size_t i = 0; i < attempt.putCount; ++i) CHECK(attempt.puts[i].rank != attempt.puts[i].before);
+  }
+  // Of a single line there is no other order.
+  Outcome single;
+  single.begin(1, {.settles = true});
+  single.outside.assign(1, 1);
+  CHECK(attemptsAt(mending, single).size() == 1);
 }
 
 TEST_CASE("a first picture of very many lines has a bounded number of attempts") {
@@ -317,7 +333,7 @@ TEST_CASE("a first picture of very many lines has a bounded number of attempts")
   outcome.outside.assign(10 * kLooksAtRest, 1);
   outcome.tangled = {{0, 2}};
   Mending mending;
-  CHECK(attemptsAt(mending, outcome).size() == kLooksAtRest + 1 + kShufflesAtRest);
+  CHECK(attemptsAt(mending, outcome).size() == kLooksAtRest + 1 + kShufflesAtFirst);
 }
 
 TEST_CASE("in a first picture changes cost nothing, nor do ways back") {
@@ -336,7 +352,8 @@ TEST_CASE("where lines settle each looks once too, and a change must bring more 
   Outcome stays = allOutside();
   stays.frame.settles = true;
   Mending mending;
-  CHECK(looksOf(attemptsAt(mending, stays)).size() == kRanks);
+  const std::vector<std::size_t> looks = looksOf(attemptsAt(mending, stays));
+  for (std::size_t rank = 0; rank < kRanks; ++rank) CHECK(looks[rank] == rank);
   Outcome moves = stays;
   moves.changes = 2;
   moves.worth = -2 * kScoreChangeSettling - 2;
