@@ -99,12 +99,13 @@ export async function freeSpot(page, fingers = 2) {
   return best.at;
 }
 
-/** The way of so many pixels, level or upright, from a place in the window to one where a finger touches nothing, and on which it stays in the picture when it goes on as far again. */
+/** The way of so many pixels, level, upright or between, from a place in the window to one where a finger touches nothing, and on which it stays in the picture when it goes on as far again. */
 export async function freeWay(page, [x, y], px) {
   const { fromHandlePx, fromBoxPx } = kOneFinger;
   const box = await pictureBox(page);
   const around = await surroundings(page);
-  const ways = [[px, 0], [-px, 0], [0, px], [0, -px]];
+  const slant = px * Math.SQRT1_2;
+  const ways = [[px, 0], [-px, 0], [0, px], [0, -px], [slant, slant], [-slant, slant], [slant, -slant], [-slant, -slant]];
   const way = ways.find(([dx, dy]) => {
     const { clearance, onBox } = around([x + dx - box.x, y + dy - box.y], fromBoxPx);
     const inPicture = fromBox([x + 2 * dx, y + 2 * dy], [box.x, box.y, box.x + box.width, box.y + box.height]) === 0;
