@@ -107,8 +107,9 @@ void Editor::State::measureAndPlace(const View& view) {
 
 /// Lets lines find the places in which they rest once a movement has ended: at once when a hand lets go of the camera, and after a leap to another view.
 void Editor::State::settleLines(bool moved) {
-  if (moved) settleMs = nowMs + (std::exchange(settlesAtOnce, false) || placer.anew() ? 0.0 : kSettleAfterMs);
-  if (std::exchange(inHand, handHolds()) && !inHand) settleMs = nowMs;
+  if (moved) settleMs = nowMs + (std::exchange(settlesAtOnce, false) ? 0.0 : kSettleAfterMs);
+  const bool letGo = std::exchange(inHand, handHolds()) && !inHand;
+  if (letGo || placer.anew()) settleMs = nowMs;
   if (!unsettled() || nowMs < settleMs || !placedOnce || !fieldSource.current() || visibilityStale) return;
   placer.settle();
   placeOn(fieldSource.view(), false);

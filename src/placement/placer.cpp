@@ -11,7 +11,7 @@
 #include "placement/placer_state.h"
 
 // What is known from frame to frame, and how often a frame is placed: while only the camera moves, lines keep their places and what can be done better is mended little by little (mending.h);
-// a first picture, and one in which lines settle, are placed in rounds; in a small viewport the shortest lines give way until there is room. placer_attempt.cpp places a frame once.
+// a first picture is placed in rounds, and so is one in which lines settle, a round a frame; in a small viewport the shortest lines give way until there is room. placer_attempt.cpp places a frame once.
 
 namespace dimline {
 
@@ -208,10 +208,11 @@ void Placer::place(const View& view, const DistanceFields& fields, const Values&
 }
 
 void Placer::placeSettled(const View& view, const DistanceFields& fields, const Values& values, Layout& layout, const ScopeVisibility* visibility) {
-  do {
+  constexpr int kMost = kRoundsSettling + 3;   // one more where nothing is known yet, and one where the scene has changed
+  for (int frame = 0; frame < kMost && (frame == 0 || !settled()); ++frame) {
     settle();
     place(view, fields, values, layout, visibility);
-  } while (!settled());
+  }
 }
 
 /// A frame that is placed at once. Of a first picture nothing is known of what is ahead: another round of the same view makes up for that.

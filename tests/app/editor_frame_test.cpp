@@ -133,6 +133,15 @@ TEST_CASE("a hand that lets go of the camera ends the movement: the lines rest s
   requireNothingMoves(stage);
 }
 
+TEST_CASE("after a leap to another view the lines settle at once") {
+  EditorStage stage;
+  for (int i = 1; i <= 6; ++i) {
+    REQUIRE(stage.editor.setCamera(orbitCamera({0, 2, 0}, 14, 35 + 100.0 * i, 20)));
+    stage.frame();
+    CHECK(stage.settle() <= 14 + kRoundsSettling);
+  }
+}
+
 TEST_CASE("without a hand a movement is over when the camera has stood still for a while") {
   EditorStage stage;
   turnInFrames(stage, 40);
