@@ -112,7 +112,9 @@ void Editor::State::settleLines(bool moved) {
   if (letGo || placer.anew()) settleMs = nowMs;
   if (!unsettled() || nowMs < settleMs || !placedOnce || !fieldSource.current() || visibilityStale) return;
   placer.settle();
+  const bool stale = pictureStale;
   placeOn(fieldSource.view(), false);
+  if (unsettled()) pictureStale = stale;  // until the last of these frames all is where it was
 }
 
 /// Which scopes are seen: at once where the last answer will not do, otherwise when it is due.

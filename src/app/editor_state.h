@@ -75,7 +75,7 @@ struct Editor::State {
   Camera camera;
   bool cameraUntouched = true;  ///< nobody chose it: it is fitted anew when the viewport gets its size
   bool compositionDue = false;  ///< it was fitted to the model alone; the lines come into it with the next frame
-  bool settlesAtOnce = false;  ///< the lines came into the picture with it, and are to find their places there without delay
+  bool settlesAtOnce = false;   ///< the lines came into the picture with it, and are to find their places there without delay
   bool viewStale = true;        ///< camera, viewport or scene changed since fields were asked for
 
   // --- Gestures ---

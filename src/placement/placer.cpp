@@ -17,6 +17,9 @@ namespace dimline {
 
 namespace {
 
+/// Frames in which lines settle: the first round takes two, of which the better one goes on.
+constexpr int kSettlingSteps = kRoundsSettling + 1;
+
 bool sameScope(const Scope& a, const Scope& b) {
   return a.name == b.name && a.index == b.index && a.box.origin == b.box.origin && a.box.axes == b.box.axes && a.box.size == b.box.size;
 }
@@ -181,7 +184,7 @@ void Placer::place(const View& view, const DistanceFields& fields, const Values&
   const bool viewMoved = s.beginFrame(view);
   if (settles && !viewMoved && s.settling.step <= 1) std::ranges::for_each(s.past.histories, &History::age);   // lines may go wherever they may in a movement
   // Who has taken hold of a line has taken the picture as it is.
-  s.past.settled = !settles && (!held.empty() || (s.past.settled && !first && !viewMoved));
+  s.past.settled = !settles && (!held.empty() || (s.past.settled && !viewMoved));
   s.past.anew = first;
   // In another scene a scope has no past: what an edit covers is hidden at once, and what it lays open is shown.
   s.findVisible(view, visibility, sceneChanged ? kReturnFrames : viewMoved ? std::max(static_cast<int>(turnRad / kFrameTurnRad), 1) : 0);
@@ -208,7 +211,7 @@ void Placer::place(const View& view, const DistanceFields& fields, const Values&
 }
 
 void Placer::placeSettled(const View& view, const DistanceFields& fields, const Values& values, Layout& layout, const ScopeVisibility* visibility) {
-  constexpr int kMost = kRoundsSettling + 3;   // one more where nothing is known yet, and one where the scene has changed
+  constexpr int kMost = kSettlingSteps + 2;   // one more where nothing is known yet, and one where the scene has changed
   for (int frame = 0; frame < kMost && (frame == 0 || !settled()); ++frame) {
     settle();
     place(view, fields, values, layout, visibility);
@@ -233,11 +236,10 @@ void Placer::State::placeRound(const FrameToPlace& frame, bool isLast, Layout& l
 
 /// The next step of settling. Returns whether that was the last; then the picture is in `layout`, which is left as it is until then.
 bool Placer::State::settleOn(const FrameToPlace& frame, Layout& layout) {
-  constexpr int kSteps = kRoundsSettling + 1;
   const int step = ++settling.step;
   if (step <= 2) placeSettling(frame);
-  else placeRound(frame, step == kSteps, settling.layout);
-  if (step < kSteps) return false;
+  else placeRound(frame, step == kSettlingSteps, settling.layout);
+  if (step < kSettlingSteps) return false;
   settling.step = 0;
   std::swap(layout, settling.layout);
   past.settled = true;
