@@ -232,11 +232,12 @@ inline constexpr double kScoreNestsWrongly = -8.0 * kHandleSpacingPx;
 /// Beyond the paper: an extension line through a label that has landed makes it hard to read, which a crossing of two thin lines does
 /// not; such a place is taken only when it is much nearer than any other.
 inline constexpr double kScoreCoversLabel = -6.0 * kHandleSpacingPx;
-/// What it costs a pill that its thread runs across a dimension line, an extension line, or a label; and what it is worth that it stays where it was, against its anchor, or on that side at least.
+/// What it costs a pill that its thread runs across a dimension line, an extension line, another thread (where lines settle; otherwise as much as an extension line), or a label; and what it is worth that it stays where it was, against its anchor, or on that side at least.
 /// A thread is thin and ends in a dot, so over lines it costs less than a line would. More for lines: pills go further for it. More for staying, or less for labels: a pill is held where its thread
 /// runs across half the drawing; the other way round: it changes sides more often on an orbit.
 inline constexpr double kScoreThreadOverLine = -2.0 * kHandleSpacingPx;
 inline constexpr double kScoreThreadOverExtension = -0.5 * kHandleSpacingPx;
+inline constexpr double kScoreThreadOverThread = -4.0 * kHandleSpacingPx;
 inline constexpr double kScoreThreadOverLabel = -10.0 * kHandleSpacingPx;
 inline constexpr double kScorePillStays = 40.0 * kHandleSpacingPx;
 inline constexpr double kScorePillStaysOnSide = 2.0 * kHandleSpacingPx;
@@ -264,6 +265,10 @@ inline constexpr double kScoreAskew = -1.0;
 /// per px. Beyond the paper: extension lines that run over the model, as over a roof to what is behind it, hide it and seem to measure what they run over; where lines settle such a px costs so much
 /// more than one beside the model. More: lines go round others, far out, to stay on the side that faces the viewer. Not while the camera moves: what is the shorter way over the model changes with each degree.
 inline constexpr double kScoreOverModel = -2.0;
+
+/// Beyond the paper: what it costs there that members of a chain are hidden, all of them; of some, in proportion. A row at the far side, of which one shows past a corner, says less than one in front. More: chains go far out for
+/// a row that is seen as a whole.
+inline constexpr double kScoreHiddenMembers = -5.0 * kHandleSpacingPx;
 
 // --- Geometry ---------------------------------------------------------------------------------------------------------
 

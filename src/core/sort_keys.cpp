@@ -5,7 +5,10 @@
 namespace dimline {
 
 void sortKeys(std::span<SortKey> keys) {
-  std::ranges::sort(keys, [](const SortKey& a, const SortKey& b) { return a.value != b.value ? a.value < b.value : a.index < b.index; });
+  // Keys of equal value differ by index, so every sort gives the same; on a heap it is a tenth of the code.
+  const auto before = [](const SortKey& a, const SortKey& b) { return a.value != b.value ? a.value < b.value : a.index < b.index; };
+  std::ranges::make_heap(keys, before);
+  std::ranges::sort_heap(keys, before);
 }
 
 }  // namespace dimline

@@ -130,9 +130,9 @@ void keep(const CandidateContext& context, const UsableBaseLine& base, Candidate
                            .planeKind = candidate.plane.kind,
                            .facing = candidate.plane.facing}) +
                     kScoreAskew * askewPx(candidate.baseScreen, candidate.lineScreen) + candidate.hysteresis;
-  if (context.settles) candidate.score += kScoreOverModel * overModelPx(context, candidate, slide);
+  if (context.kind.settles) candidate.score += kScoreOverModel * overModelPx(context, candidate, slide) + kScoreHiddenMembers * base.hiddenShare;
   const Identity& identity = candidate.identity;
-  if (context.rests || identity != context.history.last()) {
+  if (context.kind.rests() || identity != context.history.last()) {
     const bool chain = base.cluster >= 0;
     const Foresight::Prospect prospect =
         context.foresight.prospect({base.line, context.annotation.slip, candidate.plane, identity.direction, candidate.offsetM, candidate.line,
@@ -219,7 +219,8 @@ void gatherBaseLines(const Annotation& annotation, const Scope& scope, std::size
   }
 }
 
-void gatherChainBaseLines(const Cluster& cluster, std::int32_t number, const View& view, std::vector<UsableBaseLine>& lines) {
+void gatherChainBaseLines(const Cluster& cluster, std::int32_t number, const View& view, std::span<const char> usable, std::vector<UsableBaseLine>& lines) {
+  const auto hidden = std::ranges::count_if(cluster.members, [&](const ChainMember& member) { return usable[member.scope] == 0; });
   for (const int side : {0, 1}) {
     const BaseLine line = chainBaseLine(cluster, side);
     if (!view.inFrontOfNear(line.segment)) continue;
@@ -228,7 +229,8 @@ void gatherChainBaseLines(const Cluster& cluster, std::int32_t number, const Vie
                      .scopeIndex = -1,
                      .cluster = number,
                      .line = line,
-                     .screen = view.toScreen(line.segment)});
+                     .screen = view.toScreen(line.segment),
+                     .hiddenShare = static_cast<double>(hidden) / static_cast<double>(cluster.members.size())});
   }
 }
 

@@ -5,6 +5,7 @@
 
 #include "model/annotation.h"
 #include "placement/foresight.h"
+#include "placement/frame_kind.h"
 #include "placement/guides.h"
 #include "placement/history.h"
 #include "placement/layout.h"
@@ -20,6 +21,7 @@ struct UsableBaseLine {
   std::int32_t cluster = -1;      ///< of a chain
   BaseLine line;
   Segment2 screen;
+  double hiddenShare = 0;         ///< of a chain's members, those that may carry no line in this frame
 };
 
 /// A base line moved on a plane to outside the silhouette or onto a guide; or, as the fallback, a base line itself.
@@ -77,8 +79,7 @@ struct CandidateContext {
   bool showAll = false;                ///< a line that is shown for its last moments, or of a scope that nobody sees, is better than none
   std::span<const Sight> sights = {};  ///< one a scope: how much of it is seen
   Vec2 textSize{0.0};                  ///< px, of a line's label
-  bool rests = false;                  ///< the picture will be looked at for long: a place that is there already costs what a new one would
-  bool settles = false;                ///< lines settle: how far extension lines run over the model counts
+  FrameKind kind = {};                 ///< where it rests, a place that is there already costs what a new one would; where lines settle, it counts what their extension lines come from and run over
   bool seenInside = false;             ///< a base line that is seen can stand for itself, so no new place that comes from behind the model is taken for a moment only
 };
 
@@ -97,8 +98,8 @@ void gatherBaseLines(const Annotation& annotation, const Scope& scope, std::size
                      std::vector<UsableBaseLine>& lines, BaseLineTally& tally);
 
 /// Adds the two chain base lines of a cluster, as far as they can be used. A chain's own length says nothing about its members', so the least length is
-/// left to them.
-void gatherChainBaseLines(const Cluster& cluster, std::int32_t number, const View& view, std::vector<UsableBaseLine>& lines);
+/// left to them. `usable`: one a scope, whether it may carry a line in this frame.
+void gatherChainBaseLines(const Cluster& cluster, std::int32_t number, const View& view, std::span<const char> usable, std::vector<UsableBaseLine>& lines);
 
 /// Adds the candidates of a base line on the guides that lie on its planes and leave the model's padded silhouette clear (algorithm 1, lines 6 and 7).
 /// Whether the stretch is free is for the caller to see.

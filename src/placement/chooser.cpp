@@ -27,11 +27,11 @@ bool Chooser::choose(const Measured& measured, const ChoiceContext& context, His
   if (!gatherBases(measured, context, factor, enough)) return false;
   const CandidateContext candidates{measured.annotation, context.view, context.occupied.padded(), context.occupied.paddedModel(), context.occupied.guides(),
                                     context.objectPlanes, context.viewMoved, history, context.toleranceM, slipPlanes_, context.foresight,
-                                    factor * leastLengthPx(measured.annotation), nullptr, context.avoid, false, context.showAll, context.sights, measured.textSize, context.rests, context.settles};
+                                    factor * leastLengthPx(measured.annotation), nullptr, context.avoid, false, context.showAll, context.sights, measured.textSize, context.kind};
   if (context.firm && chooseAgain(measured, candidates, context)) return true;
   chainBases_.clear();
   for (std::size_t i = 0; i < measured.clusters.size(); ++i) {
-    gatherChainBaseLines(measured.clusters[i], static_cast<std::int32_t>(i), context.view, chainBases_);
+    gatherChainBaseLines(measured.clusters[i], static_cast<std::int32_t>(i), context.view, context.usable, chainBases_);
   }
   const Outside outside = chooseOutside(measured, candidates, context, context.patient && history.wasInside() ? &history : nullptr);
   if (outside == Outside::kFound || chooseInside(candidates, context)) return true;
@@ -90,7 +90,7 @@ bool Chooser::chooseAgain(const Measured& measured, const CandidateContext& cand
   chainBases_.clear();
   if (last.chain >= 0) {
     if (static_cast<std::size_t>(last.chain) >= measured.clusters.size()) return false;
-    gatherChainBaseLines(measured.clusters[static_cast<std::size_t>(last.chain)], last.chain, context.view, chainBases_);
+    gatherChainBaseLines(measured.clusters[static_cast<std::size_t>(last.chain)], last.chain, context.view, context.usable, chainBases_);
   } else if (!measured.clusters.empty()) {
     // It stood for its chain long enough.
     if (candidates.history.framesHeld() >= framesForSingle(context)) return false;

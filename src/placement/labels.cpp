@@ -26,6 +26,9 @@ double halfExtent(const Vec2& halfSize, const Vec2& normal) {
 /// At how many eighths of the way from a line's middle to either end a label is tried.
 constexpr int kEighths = 8;
 
+/// px. What has landed since keeps as far from a label as the fields tell, which know it by whole strips: by so much less at most.
+constexpr double kLabelSlackPx = 1.0;
+
 /// All places in the order of preference. Along the line in few large steps first, so that a label does not slide to and fro with what passes by, then between them. More of them: fewer lines have no room
 /// for their label.
 constexpr auto kOrder = [] {
@@ -98,8 +101,10 @@ class FreePlaces {
     // Beyond the ends of a chain's member lie others.
     const bool beyond = place.side == LabelPlace::Side::kBeyondEnd || place.side == LabelPlace::Side::kBeyondStart;
     if (beyond && request_.fellows.size() > 1) return std::nullopt;
+    if ((request_.side && place.side != *request_.side) || (request_.centred && place.eighth != 0)) return std::nullopt;
     const auto box = places_.at(place);
-    if (!box || !fellowsLeaveRoom(*box) || !landed_.hasRoom(*box, place.overExtensions)) return std::nullopt;
+    const double slackPx = request_.parameter != Landed::kNobody ? kLabelSlackPx : 0.0;
+    if (!box || !fellowsLeaveRoom(*box) || !landed_.hasRoom(box->grown(-slackPx), place.overExtensions, request_.parameter)) return std::nullopt;
     if (request_.model != nullptr && !clears(*request_.model, box->grown(kLabelClearancePx))) return std::nullopt;
     return LabelFound{*box, place};
   }
@@ -121,6 +126,11 @@ class FreePlaces {
 
 double interruptedLengthPx(const Vec2& textSize, const Vec2& lineDirection) {
   return 2.0 * (reach(textSize * 0.5, lineDirection) + kLabelPaddingPx);
+}
+
+bool carriesLabel(const Segment2& line, const Vec2& textSize) {
+  const double length = line.length();
+  return length > 0 && length >= interruptedLengthPx(textSize, (line.end - line.start) / length) + 2 * (kArrowLengthPx + kLabelPaddingPx);
 }
 
 bool labelFits(const Segment2& line, const Vec2& textSize, const Vec2& outward, const Box2& viewport) {

@@ -20,6 +20,9 @@ struct LabelRequest {
   Vec2 outward{0.0};              ///< screen direction from the model to the line; zero when inside
   const DistanceFields* model = nullptr;   ///< the label clears these fields; null when the line lies inside the model
   bool overExtensions = false;    ///< extension lines may run under it
+  int parameter = Landed::kNobody;              ///< whose lines have landed already: they count as fellows alone, and their extension lines like any others
+  std::optional<LabelPlace::Side> side = {};    ///< the label goes nowhere else, and
+  bool centred = false;                         ///< there to the line's middle alone
   std::span<const Segment2> fellows = {};       ///< px, the lines of its chain, this one among them, and
   std::span<const Box2> fellowLabels = {};      ///< their labels so far: to be kept clear of as well
   const LookAhead* ahead = nullptr;   ///< the label keeps off what is ahead where it can
@@ -39,6 +42,9 @@ std::optional<LabelFound> placeLabel(const LabelRequest& request, const Landed& 
 
 /// Whether the label of a line that is in the viewport would have room there, were nothing else in the picture: on the line, beyond one of its ends, or beside it on the side that `outward` (px, a direction) leads to.
 bool labelFits(const Segment2& line, const Vec2& textSize, const Vec2& outward, const Box2& viewport);
+
+/// Whether a line is so long that its label can ride on it.
+bool carriesLabel(const Segment2& line, const Vec2& textSize);
 
 /// Length (px) of a line that its label covers when it rides on it.
 double interruptedLengthPx(const Vec2& textSize, const Vec2& lineDirection);

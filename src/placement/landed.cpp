@@ -75,7 +75,11 @@ void Landed::reserve(const PlacedLine& line) {
 
 void Landed::release(const PlacedLine& line) {
   std::erase_if(extensions_, [&](const Extension& e) { return e.parameter == static_cast<int>(line.parameter); });
-  if (line.label) std::erase_if(labels_, [&](const Box2& label) { return label.min == line.label->min && label.max == line.label->max; });
+  if (line.label) removeLabel(*line.label);
+}
+
+void Landed::removeLabel(const Box2& label) {
+  std::erase_if(labels_, [&](const Box2& other) { return other.min == label.min && other.max == label.max; });
 }
 
 void Landed::backTo(const Mark& mark) {
@@ -87,7 +91,7 @@ void Landed::backTo(const Mark& mark) {
 void Landed::add(const PlacedHandle& handle, const View& view) {
   labels_.push_back(handle.box);
   if (!handle.arc) {
-    if (!handle.box.contains(handle.anchor)) extensions_.push_back({{handle.anchor, handle.box.center()}});
+    if (!handle.box.contains(handle.anchor)) extensions_.push_back({.segment = {handle.anchor, handle.box.center()}, .thread = true});
     return;
   }
   // Two chords and the arms come near enough to an arc for what keeps away from it.
@@ -181,8 +185,12 @@ bool Landed::crossesExtension(const Segment2& segment) const {
 
 Landed::Across Landed::across(const Segment2& segment) const {
   const auto crossed = [&](const auto& l) { return segmentsCross(segment, l.segment, kCrossingPx); };
-  return {static_cast<int>(std::ranges::count_if(lines_, crossed)), static_cast<int>(std::ranges::count_if(extensions_, crossed)),
-          static_cast<int>(std::ranges::count_if(labels_, [&](const Box2& label) { return meets(segment, label); }))};
+  Across across{.lines = static_cast<int>(std::ranges::count_if(lines_, crossed)),
+                .labels = static_cast<int>(std::ranges::count_if(labels_, [&](const Box2& label) { return meets(segment, label); }))};
+  for (const Extension& e : extensions_) {
+    if (crossed(e)) ++(e.thread ? across.threads : across.extensions);
+  }
+  return across;
 }
 
 bool Landed::coversLabel(const Segment2& segment) const {
@@ -200,9 +208,9 @@ bool Landed::clearsExtensions(const Box2& label) const {
   return std::ranges::none_of(extensions_, [grown = label.grown(kLabelClearancePx)](const Extension& e) { return meets(e.segment, grown); });
 }
 
-bool Landed::hasRoom(const Box2& label, bool overExtensions) const {
+bool Landed::hasRoom(const Box2& label, bool overExtensions, int own) const {
   const Box2 grown = label.grown(kLabelClearancePx);
-  return std::ranges::none_of(lines_, [&](const Line& l) { return meets(l.segment, grown); }) && (overExtensions || clearsExtensions(label)) &&
+  return std::ranges::none_of(lines_, [&](const Line& l) { return l.parameter != own && meets(l.segment, grown); }) && (overExtensions || clearsExtensions(label)) &&
          std::ranges::none_of(labels_, [&](const Box2& other) { return grown.overlaps(other); });
 }
 

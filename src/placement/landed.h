@@ -21,6 +21,8 @@ class Landed {
  public:
   /// There is room for so many from the start: inside the model are none in most frames, and then suddenly some.
   static constexpr std::size_t kReservedLines = 32;
+  /// No parameter's number.
+  static constexpr int kNobody = -2;
 
   void clear();
   /// Room for as much as another one has room for.
@@ -30,6 +32,7 @@ class Landed {
   /// A line on screen with its base line and its foot on the plane, without a label.
   void add(const Segment2& base, const Segment2& foot, const Segment2& line);
   void addLabel(const Box2& label) { labels_.push_back(label); }
+  void removeLabel(const Box2& label);
   /// Whether this part of an extension line has landed already, with a line of that parameter (-1: of one that was added without): neighbours in a chain share one.
   [[nodiscard]] bool hasExtension(const Segment2& part, int parameter = -1) const;
   /// What a line that stands where it stands will take up when its turn comes; to be released then. Until then it counts as an extension line, which labels keep off and
@@ -49,6 +52,7 @@ class Landed {
   struct Extension {
     Segment2 segment;
     int parameter = -1;
+    bool thread = false;   ///< from a pill to its anchor, in place of an extension line
   };
   /// What of extension lines has landed since. Neighbours in a chain share one, which landed with the first.
   [[nodiscard]] std::span<const Extension> extensionsSince(const Mark& mark) const { return std::span(extensions_).subspan(mark.extensions); }
@@ -82,10 +86,11 @@ class Landed {
   [[nodiscard]] bool crossesExtension(const Segment2& segment) const;
   /// Whether a segment crosses a line that has landed, or lies on one.
   [[nodiscard]] bool runsInto(const Segment2& segment) const;
-  /// How many of the lines, the extension lines and the labels that have landed a segment runs across.
+  /// How many of the lines, the extension lines, the threads of pills and the labels that have landed a segment runs across.
   struct Across {
     int lines = 0;
     int extensions = 0;
+    int threads = 0;
     int labels = 0;
   };
   [[nodiscard]] Across across(const Segment2& segment) const;
@@ -99,8 +104,9 @@ class Landed {
 
   /// Whether a label's box keeps kLabelClearancePx from every extension line.
   [[nodiscard]] bool clearsExtensions(const Box2& label) const;
-  /// Whether a label's box keeps kLabelClearancePx from every line, extension line and label that has landed; from lines and labels alone when extension lines may run under it.
-  [[nodiscard]] bool hasRoom(const Box2& label, bool overExtensions = false) const;
+  /// Whether a label's box keeps kLabelClearancePx from every line, extension line and label that has landed; from lines and labels alone when extension lines may run under it. Lines of the parameter `own` do
+  /// not count.
+  [[nodiscard]] bool hasRoom(const Box2& label, bool overExtensions = false, int own = kNobody) const;
 
  private:
   struct Line {

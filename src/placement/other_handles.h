@@ -32,6 +32,7 @@ struct OtherHandle {
   bool nearing = false;      ///< the camera comes nearer, so that places outside do not last
   bool showAll = false;      ///< one that is seen nearly edge-on is shown too
   bool viewMoved = false;    ///< since the last frame
+  bool settles = false;      ///< a movement ends with this frame: a change costs little
 };
 
 /// The identity of a handle at a scope. `way`: by what number its kind counts the ways in which it may be moved out; -1 when it was not.

@@ -133,11 +133,12 @@ void offer(const PillPlace& place, std::optional<PillPlace>& best) {
   if (!best || place.score > best->score + kBetter) best = place;
 }
 
-/// What it costs that the thread from a pill to its anchor runs across what has landed.
-double scoreThread(const Vec2& anchor, const Box2& box, const Landed& landed) {
+/// What it costs that the thread from a pill to its anchor runs across what has landed. In a movement pills would change sides for the sake of other threads, so there these cost what extension lines do.
+double scoreThread(const Vec2& anchor, const Box2& box, const Landed& landed, bool settles) {
   if (box.contains(anchor)) return 0.0;
   const Landed::Across across = landed.across({anchor, box.center()});
-  return across.lines * kScoreThreadOverLine + across.extensions * kScoreThreadOverExtension + across.labels * kScoreThreadOverLabel;
+  return across.lines * kScoreThreadOverLine + across.extensions * kScoreThreadOverExtension + across.threads * (settles ? kScoreThreadOverThread : kScoreThreadOverExtension) +
+         across.labels * kScoreThreadOverLabel;
 }
 
 /// Whether a place is where the pill was in the last frame, or near that.
@@ -152,7 +153,9 @@ double scoreOutside(const OtherHandle& handle, const OtherHandleContext& context
   const auto& last = handle.history.awayPx();
   const double movedPx = near && last ? glm::length(middle - place.anchor - last->start) : 0.0;
   double hysteresis = 0;
-  if (near) {
+  if (handle.settles) {
+    hysteresis = near ? -kScoreChangeSettling : 0.0;
+  } else if (near) {
     hysteresis = kScorePillStays + kScoreDistance * movedPx;
   } else if (place.identity == handle.history.last()) {
     hysteresis = kScorePillStaysOnSide;
@@ -160,7 +163,7 @@ double scoreOutside(const OtherHandle& handle, const OtherHandleContext& context
     hysteresis = kScoreReturn;
   }
   return score({.base = {place.anchor, place.anchor}, .candidate = {middle, middle}, .align = handle.annotation.align, .sameAsLastFrame = near}) +
-         hysteresis + scoreThread(place.anchor, place.box, context.landed);
+         hysteresis + scoreThread(place.anchor, place.box, context.landed, handle.settles);
 }
 
 /// Finds the places outside in one direction of a pill.
@@ -224,7 +227,7 @@ void offerInside(const OtherHandle& handle, const OtherHandleContext& context, c
       place.box = shifted(at.box, compass(number, kPillRingPlaces) * (ring * kPillRingPx));
       if (!onScreen(place.box, context.view) || !context.landed.hasRoom(place.box)) continue;
       const Vec2 awayPx = place.box.center() - place.anchor;
-      place.score = handle.history.bonus(place.identity, {awayPx, awayPx}) - glm::length(awayPx) + scoreThread(place.anchor, place.box, context.landed);
+      place.score = handle.history.bonus(place.identity, {awayPx, awayPx}) - glm::length(awayPx) + scoreThread(place.anchor, place.box, context.landed, handle.settles);
       offer(place, best);
     }
   }
@@ -289,6 +292,12 @@ double leastShiftPx(const DistanceFields& fields, const Box2& box, const Vec2& d
     }
   }
   return least < mostPx ? least : kNowhere;
+}
+
+double pillWorth(const PlacedHandle& pill, const Annotation& annotation, const Landed& landed) {
+  const Vec2 middle = pill.box.center();
+  const double inside = pill.placement == PlacementKind::kInside ? kScoreInside : 0.0;
+  return inside + score({.base = {pill.anchor, pill.anchor}, .candidate = {middle, middle}, .align = annotation.align}) + scoreThread(pill.anchor, pill.box, landed, true);
 }
 
 Vec2 pillSizePx(const Parameter& parameter) {

@@ -13,6 +13,9 @@ namespace dimline {
 /// camera it stays where it was to the last bit. Returns nothing when it is placed, else the reason: no scope's anchor is in the viewport, or there is no room.
 std::optional<HiddenReason> placePill(const OtherHandle& handle, const OtherHandleContext& context, PlacedHandle& placed);
 
+/// What a pill is worth where it stands (px) in a picture in which lines settle, by itself and by what its thread runs across of all that has landed, itself included; the greater, the better.
+double pillWorth(const PlacedHandle& pill, const Annotation& annotation, const Landed& landed);
+
 /// Size of a pill (px): the widest text that it may have to show, so that it does not change with its value.
 Vec2 pillSizePx(const Parameter& parameter);
 

@@ -37,6 +37,7 @@ void Placer::forget() {
   past.forget();
   state_->onDemand.forget();
   past.placingOrder.forget();
+  state_->forgetOthersOrder();
   past.mending = {};
   past.sights.clear();
   past.view.reset();
@@ -44,6 +45,14 @@ void Placer::forget() {
   past.framesWithRoom = 0;
   past.settled = true;
   past.settles = past.anew = false;
+}
+
+/// They are placed in the order of their definition again.
+void Placer::State::forgetOthersOrder() {
+  past.othersOrder.clear();
+  for (std::size_t i = 0; i < others.size(); ++i) {
+    if (!hasOnePlace(others[i])) past.othersOrder.push_back(i);
+  }
 }
 
 void Placer::State::Choices::forget() {
@@ -140,6 +149,7 @@ void Placer::setScene(const Model& model, const Scene& scene) {
     sortKeys(keys);
     for (const SortKey& key : keys) s.order.push_back(std::move(lines[key.index]));
   };
+  if (!sameModel) s.forgetOthersOrder();
   s.editable = byLength[0].size() + s.others.size();
   appendSorted(byLength[0]);
   s.objectPlanes = objectPlanes(fixedBaseLines(s.order, s.scopes), scene.bounds);
@@ -240,6 +250,7 @@ bool Placer::State::settleOn(const FrameToPlace& frame, Layout& layout) {
   if (step <= 2) placeSettling(frame);
   else placeRound(frame, step == kSettlingSteps, settling.layout);
   if (step < kSettlingSteps) return false;
+  tidy(frame, settling.layout);
   settling.step = 0;
   std::swap(layout, settling.layout);
   past.settled = true;
@@ -278,6 +289,7 @@ void Placer::State::placeOnce(const FrameToPlace& frame, bool sceneChanged, bool
   if (mends) mend(frame, layout);
   keepsTurns = false;
   placeBesideLines(frame, layout);
+  labelInside(frame, layout.lines);
 }
 
 /// Other attempts at the frame that has been placed, each of which goes on from the best one before it; the best one stays.
@@ -316,13 +328,13 @@ double Placer::State::tanglesAhead(std::span<const PlacedLine> lines) {
   double tangles = 0;
   for (std::size_t look = 0; look < foresight.lookCount(); ++look) {
     const View& view = foresight.viewAhead(look);
-    landedAhead.clear();
+    landedElsewhere.clear();
     for (const PlacedLine& placed : lines) {
       const auto line = placed.placement == PlacementKind::kInside ? std::nullopt : onScreen(placed.line, view);
       if (!line || !view.inFrontOfNear(placed.base) || !view.inFrontOfNear(placed.foot)) continue;
       const Segment2 base = view.toScreen(placed.base), foot = view.toScreen(placed.foot);
-      tangles += foresight.shareLeft(look) * landedAhead.tangle(*line, extensionParts(base, foot, *line)).lines;
-      landedAhead.add(base, foot, *line);
+      tangles += foresight.shareLeft(look) * landedElsewhere.tangle(*line, extensionParts(base, foot, *line)).lines;
+      landedElsewhere.add(base, foot, *line);
     }
   }
   return tangles;

@@ -41,9 +41,6 @@ void moveAside(ExtensionLine& extension, const Vec2& towardsMiddle, const Landed
   for (Vec2& p : extension) p += towardsMiddle * (kExtensionAsidePx / length);
 }
 
-/// An arc that stays in its scope's frame: all others keep clear of it.
-bool hasOnePlace(const Measured& other) { return other.annotation.type == HandleType::kAngular && other.annotation.slip == Slip::kNone; }
-
 /// Takes one out of the spare ones, with the memory that it holds, or makes one.
 template <typename Thing>
 Thing& append(std::vector<Thing>& to, std::vector<Thing>& spare) {
@@ -82,6 +79,12 @@ bool Placer::State::placeAllLines(const FrameToPlace& frame, std::size_t crowded
   outcome.begin(order.size(), kind);
   return placeFrom(0, frame, crowded, layout);
 }
+
+/// An arc that stays in its scope's frame: all others keep clear of it.
+bool Placer::State::hasOnePlace(const Measured& other) { return other.annotation.type == HandleType::kAngular && other.annotation.slip == Slip::kNone; }
+
+/// Lines are bound to their planes; a switch finds a place nearly anywhere, so it takes what they leave, if there is any.
+bool Placer::State::hasRoomForPills(const View& view) const { return view.widthPx() * view.heightPx() >= kPillsCrowdedPx2 * static_cast<double>(editable); }
 
 void Placer::State::emptyLayout(Layout& layout) {
   recycle(layout.lines, spareLines, mostLines);
@@ -167,18 +170,15 @@ bool Placer::State::placeFrom(std::size_t firstTurn, const FrameToPlace& frame, 
 
 /// Places what takes the room that the lines leave, once a frame: no attempt is judged by it.
 void Placer::State::placeBesideLines(const FrameToPlace& frame, Layout& layout) {
-  // Lines are bound to their planes; a switch finds a place nearly anywhere, so it takes what they leave.
-  const bool noPills = frame.view.widthPx() * frame.view.heightPx() < kPillsCrowdedPx2 * static_cast<double>(editable);
-  for (const Measured& other : others) {
-    if (hasOnePlace(other)) continue;
-    if (noPills && other.annotation.type != HandleType::kAngular) {
+  for (const std::size_t number : past.othersOrder) {
+    const Measured& other = others[number];
+    if (hasRoomForPills(frame.view) || other.annotation.type == HandleType::kAngular) {
+      placeOther(other, frame, layout);
+    } else {
       layout.hidden.push_back({other.parameter, other.scopes.empty() ? HiddenReason::kNoScope : HiddenReason::kCrowded});
       past.histories[other.parameter].choseNone(true);
-    } else {
-      placeOther(other, frame, layout);
     }
   }
-  labelInside(frame, layout.lines);
 }
 
 /// Places what has no handle yet, whatever it is hidden for, beside all that has one.
@@ -204,7 +204,7 @@ void Placer::State::placeAllHidden(const FrameToPlace& frame, Layout& layout) {
 
 ChoiceContext Placer::State::contextOf(const FrameToPlace& frame, const ObjectPlanesInFrame& object, const Measured& measured, const Identity* avoid) {
   return {frame.view, frame.fields, occupied, past.lookAhead, past.labels, object, foresight, scopes, usableScopes(measured), past.sights, toleranceM, frame.viewMoved,
-          firm, patient(), avoid, asksForRoom, kind.rests(), kind.settles, showAll};
+          firm, patient(), avoid, asksForRoom, kind, showAll};
 }
 
 /// Lines inside the model get their labels last, where there is room for them: such a line says what it is by where it lies, and all else has no other way to say it.
@@ -393,7 +393,7 @@ void Placer::State::placeOther(const Measured& measured, const FrameToPlace& fra
   std::ranges::copy_if(measured.scopes, std::back_inserter(scopesInSight), [&](std::size_t scope) { return usable[scope] != 0; });
   History& history = past.histories[measured.parameter];
   const OtherHandle handle{measured.parameter, parameters[measured.parameter], measured.annotation, scopesInSight,
-                           frame.values.at(measured.parameter), history, firm && !showAll, foresight.nears(), showAll, frame.viewMoved};
+                           frame.values.at(measured.parameter), history, firm && !showAll && !kind.settles, foresight.nears(), showAll, frame.viewMoved, kind.settles && !showAll};
   const OtherHandleContext context{frame.view, occupied.paddedModel(), occupied.padded(), occupied.landed(), scopes};
   PlacedHandle& placed = append(layout.others, spareHandles, measured.parameter);
   placed.parameter = measured.parameter;

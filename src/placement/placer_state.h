@@ -10,6 +10,7 @@
 #include "placement/chooser.h"
 #include "placement/foresight.h"
 #include "placement/label_memory.h"
+#include "placement/label_tidying.h"
 #include "placement/mending.h"
 #include "placement/placer.h"
 #include "placement/placing_order.h"
@@ -59,6 +60,7 @@ struct Placer::State {
   struct Past : Choices {
     std::vector<Sight> sights;        ///< one a scope
     PlacingOrder placingOrder;
+    std::vector<std::size_t> othersOrder;   ///< numbers of those that are placed beside the lines
     Mending mending;
     std::optional<View> view;         ///< of the last frame
     std::size_t crowded = 0;          ///< how many of the shortest lines are hidden for want of room
@@ -115,13 +117,17 @@ struct Placer::State {
   Occupied occupied;
   Chooser chooser;
   Foresight foresight;
-  Landed landedAhead;                 ///< the lines as one look ahead sees them
+  Landed landedElsewhere;             ///< the lines as one look ahead sees them, or with other labels
   std::vector<ObjectPlaneUse> objectPlaneUses;
   std::vector<char> inView;           ///< one a scope
   std::vector<char> seen;             ///< one a scope: in view, and not hidden by the model
   std::vector<char> seenEnough;       ///< those of them that what is hidden may be shown for
   std::vector<std::size_t> scopesInSight;
   std::vector<HiddenParameter> wanting;   ///< what has no handle yet when those on demand are placed
+  LabelTidying labelTidying;
+  std::vector<std::size_t> bestOthersOrder;
+  Occupied::Contents besideLines;     ///< what has landed before the others, and what was remembered
+  std::vector<History> historiesBesideLines;
   std::vector<PlacedLine> spareLines;
   std::vector<PlacedHandle> spareHandles;
 
@@ -138,6 +144,7 @@ struct Placer::State {
   void placeRound(const FrameToPlace& frame, bool isLast, Layout& layout);
   void breakOffSettling();
   void forgetOffsets();
+  void forgetOthersOrder();
   bool beginFrame(const View& view);
   void findVisible(const View& view, const ScopeVisibility* visibility, int framesOn);
   void placeOnce(const FrameToPlace& frame, bool sceneChanged, bool shown, Layout& layout);
@@ -159,6 +166,8 @@ struct Placer::State {
   void keepTurn(std::size_t turn, const Layout& layout);
   void goOnFromBest(std::size_t turn, Layout& layout);
   bool placeFrom(std::size_t firstTurn, const FrameToPlace& frame, std::size_t crowded, Layout& layout);
+  [[nodiscard]] static bool hasOnePlace(const Measured& other);
+  [[nodiscard]] bool hasRoomForPills(const View& view) const;
   void placeBesideLines(const FrameToPlace& frame, Layout& layout);
   void placeAllHidden(const FrameToPlace& frame, Layout& layout);
   void labelInside(const FrameToPlace& frame, std::span<PlacedLine> lines);
@@ -173,6 +182,12 @@ struct Placer::State {
   void landHeld(Measured& measured, const PlacedLine& held, Layout& layout);
   int guideThrough(const PlacedLine& line);
   void placeOther(const Measured& measured, const FrameToPlace& frame, Layout& layout);
+
+  // placer_rest.cpp
+  void tidy(const FrameToPlace& frame, Layout& layout);
+  void tidyLabels(const FrameToPlace& frame, std::span<PlacedLine> lines);
+  [[nodiscard]] double worthOfPills(std::span<const PlacedHandle> placed) const;
+  void placeInBestOrder(const FrameToPlace& frame, Layout& layout);
 };
 
 }  // namespace dimline

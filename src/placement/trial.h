@@ -30,7 +30,7 @@ struct ChoiceContext {
   bool patient = false;                     ///< what has had a better kind of place for less than kPatienceFrames does not take it yet
   const Identity* avoid = nullptr;          ///< a place that is not looked at
   bool asksForRoom = false;                 ///< labels may yet give way, in another round of the same frame
-  bool rests = false, settles = false;      ///< see FrameKind
+  FrameKind kind;
   bool showAll = false;                     ///< base lines that are short or point at the viewer can be used too
 
   /// Whether a scope is in plain view; `stays`: a line inside the model showed it in the last frame.

@@ -1,5 +1,6 @@
 #include <catch2/catch.hpp>
 
+#include "placement/candidates.h"
 #include "placement/chains.h"
 #include "placement/guides.h"
 #include "support/scenes.h"
@@ -77,6 +78,28 @@ TEST_CASE("a cluster's sides are the sides of its rectangle, and its members are
     CHECK(m.toM - m.fromM == Approx(1.0));
     CHECK(m.fromM == Approx(m.segment.start.x));
   }
+}
+
+TEST_CASE("a chain's base lines know how many of its members are hidden") {
+  const std::vector<Scope> scopes = facade();
+  const auto clusters = clusterBaseLines(widthOf("Window"), scopes, std::vector<std::size_t>{0, 1, 2, 3, 4, 5}, 10);
+  const Cluster* front = findByNormal(clusters, {0, 0, 1}, 0);
+  REQUIRE(front != nullptr);
+  Camera camera;
+  camera.eye = {0, 2, 30};
+  camera.target = {0, 2, 0};
+  const View view(camera, 1000, 1000, Bounds{{-10, 0, -10}, {10, 10, 10}});
+  std::vector<char> usable(scopes.size(), 1);
+  std::vector<UsableBaseLine> lines;
+  gatherChainBaseLines(*front, 0, view, usable, lines);
+  REQUIRE(lines.size() == 2);
+  CHECK(lines[0].hiddenShare == 0);
+  usable[front->members[0].scope] = 0;
+  lines.clear();
+  gatherChainBaseLines(*front, 0, view, usable, lines);
+  const auto hidden = std::ranges::count(front->members, front->members[0].scope, &ChainMember::scope);
+  CHECK(lines[1].hiddenShare == Approx(static_cast<double>(hidden) / static_cast<double>(front->members.size())));
+  CHECK(lines[1].hiddenShare > 0);
 }
 
 TEST_CASE("a chain slips away from its members on either side") {

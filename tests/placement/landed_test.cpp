@@ -115,6 +115,41 @@ TEST_CASE("a thread counts the lines, the extension lines and the labels that it
   CHECK(across({150, 90}, {150, 50}) == std::array{0, 0, 0});
 }
 
+TEST_CASE("another pill's thread counts by itself, and its pill as a label") {
+  Landed landed;
+  PlacedHandle pill;
+  pill.anchor = {100, 100};
+  pill.box = Box2::around({200, 100}, {40, 28});
+  landed.add(pill, View{});
+  const Landed::Across found = landed.across({{150, 90}, {150, 110}});
+  CHECK(found.threads == 1);
+  CHECK(found.extensions + found.lines + found.labels == 0);
+  CHECK(landed.across({{200, 80}, {200, 120}}).labels == 1);
+  CHECK(landed.across({{50, 90}, {50, 110}}).threads == 0);
+}
+
+TEST_CASE("a label that is taken away leaves its room, and no other does") {
+  Landed landed;
+  landed.addLabel({{100, 100}, {140, 116}});
+  landed.addLabel({{200, 100}, {240, 116}});
+  landed.removeLabel({{100, 100}, {140, 116}});
+  CHECK(landed.hasRoom({{100, 100}, {140, 116}}));
+  CHECK_FALSE(landed.hasRoom({{200, 100}, {240, 116}}));
+}
+
+TEST_CASE("a label's room among its own lines: they do not count, their extension lines do") {
+  Landed landed;
+  PlacedLine line;
+  line.parameter = 5;
+  line.lineScreen = {{100, 40}, {200, 40}};
+  line.extensionStart = {{100, 100}, {100, 40}};
+  landed.add(line, -1);
+  CHECK_FALSE(landed.hasRoom({{140, 32}, {160, 48}}));
+  CHECK(landed.hasRoom({{140, 32}, {160, 48}}, false, 5));
+  CHECK_FALSE(landed.hasRoom({{140, 32}, {160, 48}}, false, 4));
+  CHECK_FALSE(landed.hasRoom({{90, 60}, {110, 76}}, false, 5));
+}
+
 TEST_CASE("a tangle counts the lines across extension lines, this one and those that have landed") {
   // The landed line is parameter 5; its extension lines run at x = 100 and x = 200 from y = 100 to y = 40.
   PlacedLine line;

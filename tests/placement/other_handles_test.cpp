@@ -58,9 +58,10 @@ struct AtticSwitch {
   History history{0};
   PlacedHandle placed;
   bool moves = false;   ///< the view has, since the last frame
+  bool settles = false;
 
   std::optional<HiddenReason> place(const Annotation& annotation, bool firm, bool nearing = false) {
-    const auto missing = placePill({0, parameter, annotation, stage.scopes, 1, history, firm, nearing, false, moves}, stage.context(), placed);
+    const auto missing = placePill({0, parameter, annotation, stage.scopes, 1, history, firm, nearing, false, moves, settles}, stage.context(), placed);
     const Vec2 awayPx = placed.box.center() - placed.anchor;
     missing ? history.choseNone(true) : history.choose(placed.identity, -1, {awayPx, awayPx});
     moves = false;
@@ -193,6 +194,59 @@ TEST_CASE("a pill goes where its thread runs across no number, and takes a longe
   line.stage.landed.add({{485, 360}, {515, 360}}, {{485, 360}, {515, 360}}, {{485, 360}, {515, 360}});
   REQUIRE(line.placeMoving(line.outside, true) == PlacementKind::kOutside);
   CHECK(line.stage.landed.across({line.placed.anchor, line.placed.box.center()}).lines == 0);
+}
+
+TEST_CASE("where lines settle a pill takes a longer way to run across no other's thread, which it does not in a movement") {
+  for (const bool settles : {false, true}) {
+    AtticSwitch attic;
+    attic.settles = settles;
+    PlacedHandle other;   // its thread leads close over the roof
+    other.anchor = {485, 360};
+    other.box = Box2::around({620, 360}, {40, 6});
+    attic.stage.landed.add(other, attic.stage.view);
+    REQUIRE(attic.placeMoving(attic.outside, true) == PlacementKind::kOutside);
+    const int threads = attic.stage.landed.across({attic.placed.anchor, attic.placed.box.center()}).threads;
+    CHECK(threads == (settles ? 0 : 1));
+    CHECK((std::abs(attic.placed.box.center().x - 500) > 20) == settles);
+  }
+}
+
+TEST_CASE("where lines settle a pill goes to a better place, unless that is better by little") {
+  // In its way until then: a label above the roof, so wide that it has to stand so much further out.
+  for (const double outPx : {0.5 * -kScoreChangeSettling, 2.0 * -kScoreChangeSettling}) {
+    AtticSwitch attic;
+    const double nearestY = 345;
+    attic.stage.landed.addLabel({{0, nearestY - outPx}, {1000, 374}});
+    attic.stage.landed.addLabel({{0, 0}, {299, 1000}});
+    attic.stage.landed.addLabel({{701, 0}, {1000, 1000}});
+    attic.stage.landed.addLabel({{0, 626}, {1000, 1000}});
+    REQUIRE(attic.placeMoving(attic.outside, true) == PlacementKind::kOutside);
+    const double before = attic.placed.box.max.y;
+    REQUIRE(before < nearestY - outPx);
+    attic.stage.landed.clear();
+    attic.settles = true;
+    REQUIRE_FALSE(attic.place(attic.outside, false));
+    CHECK((attic.placed.box.max.y == Approx(before).margin(0.13)) == (outPx < -kScoreChangeSettling));
+    CHECK((attic.placed.box.max.y == Approx(nearestY).margin(0.13)) == (outPx > -kScoreChangeSettling));
+  }
+}
+
+TEST_CASE("what a pill is worth, worked out by hand") {
+  Landed landed;
+  PlacedHandle pill;
+  pill.anchor = {500, 400};
+  pill.box = Box2::around({500, 300}, {100, kPillHeightPx});
+  pill.placement = PlacementKind::kOutside;
+  Annotation annotation;
+  CHECK(pillWorth(pill, annotation, landed) == Approx(-100));
+  annotation.align = Align::kTop;
+  CHECK(pillWorth(pill, annotation, landed) == Approx(-100 + kScoreAlign));
+  annotation.align = Align::kNone;
+  landed.addLabel({{490, 340}, {510, 350}});
+  CHECK(pillWorth(pill, annotation, landed) == Approx(-100 + kScoreThreadOverLabel));
+  pill.placement = PlacementKind::kInside;
+  pill.anchor = {500, 300};
+  CHECK(pillWorth(pill, annotation, landed) == Approx(kScoreInside));
 }
 
 TEST_CASE("a pill goes inside rather than so far away that its thread leads across half the picture") {

@@ -1,0 +1,81 @@
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+
+#include "app/editor_stage.h"
+#include "math/geometry.h"
+#include "models/models.h"
+
+// What a picture that has settled looks like as a whole, in built-in models.
+
+using namespace dimline;
+using namespace dimline::test;
+
+namespace {
+
+/// Calls `use(layout)` where an editor has settled after turns all round the model.
+template <typename Use>
+void forEachRest(ModelDefinition model, Use use) {
+  EditorStage stage(std::move(model), 976, 744);
+  const Camera home = stage.editor.camera();
+  use(stage.editor.layout());
+  const Vec3 away = home.eye - home.target;
+  for (int deg = 40; deg < 360; deg += 40) {
+    const double rad = deg * kRadPerDeg;
+    Camera camera = home;
+    camera.eye = home.target + Vec3(away.x * std::cos(rad) + away.z * std::sin(rad), away.y, away.z * std::cos(rad) - away.x * std::sin(rad));
+    REQUIRE(stage.editor.setCamera(camera));
+    stage.settle();
+    use(stage.editor.layout());
+  }
+}
+
+}  // namespace
+
+TEST_CASE("threads of switches and choices do not cross where lines have settled") {
+  std::size_t threads = 0, crossings = 0;
+  forEachRest(defineOmniTree(), [&](const Layout& layout) {
+    std::vector<Segment2> shown;
+    for (const PlacedHandle& pill : layout.others) {
+      if (!pill.arc && !pill.box.contains(pill.anchor)) shown.push_back({pill.anchor, pill.box.center()});
+    }
+    for (std::size_t i = 0; i < shown.size(); ++i) {
+      for (std::size_t j = 0; j < i; ++j) crossings += segmentsCross(shown[i], shown[j]) ? 1 : 0;
+    }
+    threads += shown.size();
+  });
+  CHECK(threads >= 9 * 5);
+  CHECK(crossings == 0);
+}
+
+TEST_CASE("a row that is seen as a whole is measured, not one of which a corner shows") {
+  EditorStage stage(defineParthenon(), 976, 744);
+  const auto bays = std::ranges::count(stage.editor.layout().lines, stage.indexOf("ColumnSpacing"), &PlacedLine::parameter);
+  CHECK(bays >= 7);
+}
+
+TEST_CASE("where lines have settled a long line has its number beside itself, and a chain's stand on one side") {
+  for (const auto define : {defineHouse, defineParthenon}) {
+    std::size_t numbers = 0, beyond = 0, chains = 0, mixed = 0;
+    forEachRest(define(), [&](const Layout& layout) {
+      for (auto line = layout.lines.begin(); line != layout.lines.end();) {
+        const auto end = std::find_if(line, layout.lines.end(), [&](const PlacedLine& other) { return other.parameter != line->parameter; });
+        const auto isBeyond = [](const PlacedLine& l) { return l.labelPlace.side == LabelPlace::Side::kBeyondEnd || l.labelPlace.side == LabelPlace::Side::kBeyondStart; };
+        if (line->chain < 0 && line->placement != PlacementKind::kInside && line->lineScreen.length() > 100 && line->label) {
+          ++numbers;
+          beyond += isBeyond(*line) ? 1 : 0;
+        }
+        if (line->chain >= 0) {
+          ++chains;
+          const auto first = std::find_if(line, end, [](const PlacedLine& l) { return l.label.has_value(); });
+          mixed += std::any_of(first, end, [&](const PlacedLine& l) { return l.label && l.labelPlace.side != first->labelPlace.side; }) ? 1 : 0;
+        }
+        line = end;
+      }
+    });
+    CHECK(numbers > 9);
+    CHECK(chains > 5);
+    CHECK(beyond <= numbers / 10);
+    CHECK(mixed <= chains / 10);
+  }
+}
