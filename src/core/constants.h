@@ -14,6 +14,9 @@ inline constexpr double kHandleSpacingPx = 30.0;
 /// touch what it stands beside.
 inline constexpr double kLabelClearancePx = 4.0;
 
+/// px. The same from a label to the next line out, in a picture in which lines have settled: further than to the label's own line, or a number between two seems to belong to either. More: stacks of lines reach further out.
+inline constexpr double kLabelClearanceSettledPx = 12.0;
+
 /// px. Clearance that a later line keeps from an extension line it runs beside. Small: an extension line is thin and
 /// quiet, and lines of neighbouring features share their ends.
 inline constexpr double kExtensionClearancePx = 4.0;
@@ -265,6 +268,10 @@ inline constexpr double kScoreAskew = -1.0;
 /// per px. Beyond the paper: extension lines that run over the model, as over a roof to what is behind it, hide it and seem to measure what they run over; where lines settle such a px costs so much
 /// more than one beside the model. More: lines go round others, far out, to stay on the side that faces the viewer. Not while the camera moves: what is the shorter way over the model changes with each degree.
 inline constexpr double kScoreOverModel = -2.0;
+
+/// per px. Beyond the paper: what it costs there that extension lines bend (paper 5), of the way from the base line to the bend: with a kink it is harder to follow where they come from. More: lines go further for a plane that
+/// their base line lies in.
+inline constexpr double kScoreBent = -1.0;
 
 /// Beyond the paper: what it costs there that members of a chain are hidden, all of them; of some, in proportion. A row at the far side, of which one shows past a corner, says less than one in front. More: chains go far out for
 /// a row that is seen as a whole.

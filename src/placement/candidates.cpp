@@ -130,7 +130,10 @@ void keep(const CandidateContext& context, const UsableBaseLine& base, Candidate
                            .planeKind = candidate.plane.kind,
                            .facing = candidate.plane.facing}) +
                     kScoreAskew * askewPx(candidate.baseScreen, candidate.lineScreen) + candidate.hysteresis;
-  if (context.kind.settles) candidate.score += kScoreOverModel * overModelPx(context, candidate, slide) + kScoreHiddenMembers * base.hiddenShare;
+  if (context.kind.settles) {
+    const double bentPx = glm::length(candidate.footScreen.middle() - candidate.baseScreen.middle());
+    candidate.score += kScoreOverModel * overModelPx(context, candidate, slide) + kScoreHiddenMembers * base.hiddenShare + kScoreBent * bentPx;
+  }
   const Identity& identity = candidate.identity;
   if (context.kind.rests() || identity != context.history.last()) {
     const bool chain = base.cluster >= 0;

@@ -28,7 +28,7 @@ void Occupied::add(const PlacedLine& line, int guide) {
   const auto [from, to] = std::minmax({carrier.metresAt(line.line.start), carrier.metresAt(line.line.end)});
   carrier.taken.add(from, to);
   pullIn(padded, line.lineScreen, kHandleSpacingPx);
-  if (line.label) pullIn(padded, *line.label, kLabelClearancePx);
+  if (line.label) pullIn(padded, *line.label, labelClearancePx_);
 }
 
 void Occupied::add(const PlacedHandle& handle, const View& view) {

@@ -15,6 +15,8 @@ class Occupied {
  public:
   /// A frame begins.
   void begin(const DistanceFields& model);
+  /// How far (px) lines that come after a label stand from it; kLabelClearancePx unless told.
+  void keepFromLabels(double px) { labelClearancePx_ = px; }
   /// Nothing but the model is there: before each attempt at the frame.
   void clear();
   /// What has landed, with its fields and guides. It can be kept, to go back to it in the same frame.
@@ -50,6 +52,7 @@ class Occupied {
 
  private:
   DistanceFields paddedModel_;
+  double labelClearancePx_ = kLabelClearancePx;
   std::unique_ptr<Contents> contents_ = std::make_unique<Contents>();
 };
 

@@ -17,7 +17,9 @@ void Placer::State::tidy(const FrameToPlace& frame, Layout& layout) {
   const FrameKind settles = std::exchange(kind, {});
   past.lookAhead.begin(false);
   past.lookAhead.project(order, past.placingOrder.ranks(), frame.view, frame.fields);
+  occupied.keepFromLabels(kLabelClearanceSettledPx);
   placeWithRoom(still, layout);
+  occupied.keepFromLabels(kLabelClearancePx);
   kind = settles;
   placeInBestOrder(still, layout);
   labelInside(still, layout.lines);

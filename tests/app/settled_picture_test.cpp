@@ -79,3 +79,17 @@ TEST_CASE("where lines have settled a long line has its number beside itself, an
     CHECK(mixed <= chains / 10);
   }
 }
+
+TEST_CASE("where lines have settled a line keeps further from the number of another than that one's line does") {
+  std::size_t numbers = 0, near = 0;
+  forEachRest(defineParthenon(), [&](const Layout& layout) {
+    for (const PlacedLine& inner : layout.lines) {
+      if (!inner.label || inner.labelPlace.side != LabelPlace::Side::kOutward) continue;
+      ++numbers;
+      const Box2 around = inner.label->grown(kLabelClearanceSettledPx - 2);
+      near += std::ranges::any_of(layout.lines, [&](const PlacedLine& line) { return line.parameter != inner.parameter && line.placement != PlacementKind::kInside && meets(line.lineScreen, around); }) ? 1 : 0;
+    }
+  });
+  CHECK(numbers > 20);
+  CHECK(near <= numbers / 10);
+}

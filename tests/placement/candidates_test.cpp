@@ -2,6 +2,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
@@ -237,4 +238,55 @@ TEST_CASE("while the camera comes nearer, no line is begun for a moment that com
   History there(0);
   there.choose({.parameter = 0, .scopeIndex = 0, .baseLine = 0, .plane = 0, .direction = 1}, 2.6);
   CHECK(placesBeside(814, hidden, true, there) >= 1);
+}
+
+TEST_CASE("where lines settle it costs what extension lines run over, a bend in them, and hidden members of a chain") {
+  // 50 px a metre, from 30 degrees above. The base line lies in the middle of what the model covers; a line above or below keeps 30 px.
+  Camera camera;
+  camera.eye = {0, 15, 15 * std::sqrt(3.0)};
+  camera.target = {0, 0, 0};
+  camera.orthoHeightM = 20;
+  const View view(camera, 1000, 1000, Bounds{{-4, -2, -1}, {4, 2, 1}});
+  const DistanceFields model = fieldsCovering({{300, 400}, {700, 600}});
+  Surroundings around;
+  around.occupied.begin(model);
+  around.occupied.clear();
+  Annotation annotation;
+  annotation.slip = Slip::kObject;
+  const History history(0);
+  const Sight sight;
+  // What settling adds to the score of the line above on an upright plane so far before the base line, which on screen is half as far below it.
+  const auto extra = [&](double beforeM, double hiddenShare) {
+    const ObjectPlane plane{.plane = {{0, 0, beforeM}, {0, 0, 1}}};
+    const auto use = ObjectPlaneUse::kFront;
+    UsableBaseLine base;
+    base.line.segment = {{-1, 0, 0}, {1, 0, 0}};
+    base.screen = view.toScreen(base.line.segment);
+    base.hiddenShare = hiddenShare;
+    const auto scoreAbove = [&](bool settles) {
+      const ObjectPlanesInFrame object{{&plane, 1}, {&use, 1}, 1e-4};
+      std::vector<Candidate> candidates;
+      const CandidateContext with{.annotation = annotation,
+                                  .view = view,
+                                  .padded = around.occupied.padded(),
+                                  .paddedModel = around.occupied.paddedModel(),
+                                  .guides = around.occupied.guides(),
+                                  .objectPlanes = object,
+                                  .history = history,
+                                  .planes = around.planes,
+                                  .foresight = around.foresight,
+                                  .sights = {&sight, 1},
+                                  .kind = {.settles = settles}};
+      gatherOutsideCandidates(with, base, candidates);
+      const auto above = std::ranges::find_if(candidates, [](const Candidate& candidate) { return candidate.lineScreen.start.y < 400; });
+      REQUIRE(above != candidates.end());
+      CHECK(above->lineScreen.start.y == Approx(370).margin(0.5));
+      return above->score;
+    };
+    return scoreAbove(true) - scoreAbove(false);
+  };
+  // From the base line at 500 the line above is 130 px away, of which 30 are beyond the model.
+  CHECK(extra(0, 0) == Approx(kScoreOverModel * 100).margin(2));
+  CHECK(extra(0.8, 0) == Approx(kScoreOverModel * 100 + kScoreBent * 20).margin(2));
+  CHECK(extra(0, 0.5) == Approx(kScoreOverModel * 100 + kScoreHiddenMembers * 0.5).margin(2));
 }

@@ -41,3 +41,24 @@ TEST_CASE("what comes later keeps handleSpacing from a line and a little from it
   CHECK_FALSE(reaches(150 - kExtensionClearancePx + 1));
   CHECK(reaches(150 - kExtensionClearancePx - 1));
 }
+
+TEST_CASE("what comes later keeps as far from a label as it is told to") {
+  const auto reaches = [](double px, double x) {
+    Occupied occupied;
+    const DistanceFields model = test::fieldsCovering({{0, 160}, {400, 300}}, 400, 300);
+    occupied.begin(model);
+    occupied.clear();
+    occupied.keepFromLabels(px);
+    PlacedLine line;
+    line.base = {{0, 0, 0}, {1, 0, 0}};
+    line.line = {{0, 1, 0}, {1, 1, 0}};
+    line.lineScreen = {{250, 60}, {350, 60}};
+    line.label = Box2{{150, 52}, {190, 68}};
+    occupied.add(line, occupied.addGuide({{0, 0, 0}, {0, 0, 1}}, line.line));
+    return clears(occupied.padded(), ViewportEdge::kLeft, Segment2{{1, 60}, {x, 60}});
+  };
+  for (const double px : {kLabelClearancePx, kLabelClearanceSettledPx}) {
+    CHECK(reaches(px, 150 - px - 1));
+    CHECK_FALSE(reaches(px, 150 - px + 1));
+  }
+}
