@@ -39,8 +39,9 @@ class Placer {
   void recall(const Memory& memory);
 
   /// To be told before each frame after a movement has ended, until settled(). While the camera moves lines stay where they are as long as they can, so that the eye can follow, and end up far out or along what has turned away;
-  /// now each looks for a better place, as in a first picture, and changes when that is better by more than kScoreChangeSettling. That takes kRoundsSettling + 1 frames of the same view, each some milliseconds: until the
-  /// last of them place() leaves the layout as it is. Any other frame breaks it off, and all is as it was before. The view may be the last frame's; it says nothing while the scene changes or a line is held.
+  /// now each looks for a better place, as in a first picture, and changes when that is better by more than kScoreChangeSettling; in the end labels (label_tidying.h) and switches are laid out as a whole. That takes
+  /// kRoundsSettling + 1 frames of the same view, each some milliseconds: until the last of them place() leaves the layout as it is. Any other frame breaks it off, and all is as it was before. The view may be the last
+  /// frame's; it says nothing while the scene changes or a line is held.
   void settle();
   /// All these frames at once, where nobody waits for the next one.
   void placeSettled(const View& view, const DistanceFields& fields, const Values& values, Layout& layout, const ScopeVisibility* visibility = nullptr);

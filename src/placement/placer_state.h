@@ -17,7 +17,7 @@
 #include "placement/visibility.h"
 
 // What a Placer is made of; private to the placer's own files. placer.cpp keeps what is known from frame to frame and says how often a frame is placed, placer_attempt.cpp places it
-// once: algorithm 1 of the paper, one parameter after the other.
+// once: algorithm 1 of the paper, one parameter after the other. placer_rest.cpp lays out as a whole what has settled.
 
 namespace dimline {
 
