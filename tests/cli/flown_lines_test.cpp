@@ -105,9 +105,9 @@ TEST_CASE("in first pictures, each line looks for a better place when all are th
   CHECK(meanDistancePx("house", orbitsBy(36)) < 126.5);
 }
 
-// Measured are frame 0 and each 5th of an orbit, in which a movement ends or goes on.
+// Measured are frame 0 and each 10th of an orbit, in which a movement ends or goes on.
 TEST_CASE("where a movement ends, lines lie nearer to what they measure than where it goes on") {
-  constexpr std::size_t kEvery = 5;
+  constexpr std::size_t kEvery = 10;
   const double onTheWayPx = meanDistancePx("house", orbitsBy(3), kEvery);
   const double atRestPx = meanDistancePx("house", orbitsWithRests(3, kEvery), kEvery);
   INFO(atRestPx << " px at rest, " << onTheWayPx << " px on the way");
