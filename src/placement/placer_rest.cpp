@@ -15,11 +15,13 @@ void Placer::State::tidy(const FrameToPlace& frame, Layout& layout) {
   FrameToPlace still = frame;
   still.viewMoved = false;
   const FrameKind settles = std::exchange(kind, {});
-  past.lookAhead.begin(false);
-  past.lookAhead.project(order, past.placingOrder.ranks(), frame.view, frame.fields);
-  occupied.keepFromLabels(kLabelClearanceSettledPx);
-  placeWithRoom(still, layout);
-  occupied.keepFromLabels(kLabelClearancePx);
+  // Lines move away from labels, and then once more stand as they will in the next frame, where they need not: one that found no room by that is not seen to move back.
+  for (const double px : {kLabelClearanceSettledPx, kLabelClearancePx}) {
+    occupied.keepFromLabels(px);
+    past.lookAhead.begin(false);
+    past.lookAhead.project(order, past.placingOrder.ranks(), frame.view, frame.fields);
+    placeWithRoom(still, layout);
+  }
   kind = settles;
   placeInBestOrder(still, layout);
   labelInside(still, layout.lines);
