@@ -23,6 +23,11 @@ double halfExtent(const Vec2& halfSize, const Vec2& normal) {
   return halfSize.x * std::abs(normal.x) + halfSize.y * std::abs(normal.y);
 }
 
+/// From the middle of a line of that length to the last place of a label that rides on it; negative when it is too short for that.
+double roomAlongPx(double length, const Vec2& textSize, const Vec2& direction) {
+  return 0.5 * (length - interruptedLengthPx(textSize, direction)) - kArrowLengthPx - kLabelPaddingPx;
+}
+
 /// At how many eighths of the way from a line's middle to either end a label is tried.
 constexpr int kEighths = 8;
 
@@ -53,7 +58,7 @@ class Places {
   Places(const Segment2& whole, const Segment2& seen, const Vec2& textSize, const Vec2& outward, const Box2& viewport)
       : whole_(whole), seen_(seen), textSize_(textSize), allowed_(viewport.grown(-kViewportMarginPx)), length_(seen.length()),
         direction_(length_ > 0 ? (seen.end - seen.start) / length_ : Vec2(1, 0)), normal_(-direction_.y, direction_.x),
-        room_(0.5 * (length_ - interruptedLengthPx(textSize, direction_)) - kArrowLengthPx - kLabelPaddingPx) {
+        room_(roomAlongPx(length_, textSize, direction_)) {
     if (glm::dot(normal_, outward) < 0) normal_ = -normal_;
   }
 
@@ -130,7 +135,7 @@ double interruptedLengthPx(const Vec2& textSize, const Vec2& lineDirection) {
 
 bool carriesLabel(const Segment2& line, const Vec2& textSize) {
   const double length = line.length();
-  return length > 0 && length >= interruptedLengthPx(textSize, (line.end - line.start) / length) + 2 * (kArrowLengthPx + kLabelPaddingPx);
+  return length > 0 && roomAlongPx(length, textSize, (line.end - line.start) / length) >= 0;
 }
 
 bool labelFits(const Segment2& line, const Vec2& textSize, const Vec2& outward, const Box2& viewport) {

@@ -32,6 +32,7 @@ class Landed {
   /// A line on screen with its base line and its foot on the plane, without a label.
   void add(const Segment2& base, const Segment2& foot, const Segment2& line);
   void addLabel(const Box2& label) { labels_.push_back(label); }
+  /// Takes a label away that was added just so.
   void removeLabel(const Box2& label);
   /// Whether this part of an extension line has landed already, with a line of that parameter (-1: of one that was added without): neighbours in a chain share one.
   [[nodiscard]] bool hasExtension(const Segment2& part, int parameter = -1) const;

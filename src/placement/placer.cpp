@@ -277,8 +277,15 @@ void Placer::State::breakOffSettling() {
   if (std::exchange(settling.step, 0) > 0) past = settling.before;
 }
 
-/// A round of placing everything, and of mending it where lines keep their places. `shown`: what was placed before.
+/// A round of placing everything. `shown`: what was placed before.
 void Placer::State::placeOnce(const FrameToPlace& frame, bool sceneChanged, bool shown, Layout& layout) {
+  placeMended(frame, sceneChanged, shown, layout);
+  placeBesideLines(frame, layout);
+  labelInside(frame, layout.lines);
+}
+
+/// Places the lines, and mends that where they keep their places and the view moves.
+void Placer::State::placeMended(const FrameToPlace& frame, bool sceneChanged, bool shown, Layout& layout) {
   past.lookAhead.begin(frame.viewMoved || sceneChanged, shown);
   past.lookAhead.project(order, past.placingOrder.ranks(), frame.view, frame.fields);
   const bool mends = firm && frame.viewMoved;
@@ -288,8 +295,6 @@ void Placer::State::placeOnce(const FrameToPlace& frame, bool sceneChanged, bool
   placeWithRoom(frame, layout);
   if (mends) mend(frame, layout);
   keepsTurns = false;
-  placeBesideLines(frame, layout);
-  labelInside(frame, layout.lines);
 }
 
 /// Other attempts at the frame that has been placed, each of which goes on from the best one before it; the best one stays.

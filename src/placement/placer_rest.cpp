@@ -18,9 +18,7 @@ void Placer::State::tidy(const FrameToPlace& frame, Layout& layout) {
   // Lines move away from labels, and then once more stand as they will in the next frame, where they need not: one that found no room by that is not seen to move back.
   for (const double px : {kLabelClearanceSettledPx, kLabelClearancePx}) {
     occupied.keepFromLabels(px);
-    past.lookAhead.begin(false);
-    past.lookAhead.project(order, past.placingOrder.ranks(), frame.view, frame.fields);
-    placeWithRoom(still, layout);
+    placeMended(still, false, true, layout);
   }
   kind = settles;
   placeInBestOrder(still, layout);

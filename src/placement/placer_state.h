@@ -148,6 +148,7 @@ struct Placer::State {
   bool beginFrame(const View& view);
   void findVisible(const View& view, const ScopeVisibility* visibility, int framesOn);
   void placeOnce(const FrameToPlace& frame, bool sceneChanged, bool shown, Layout& layout);
+  void placeMended(const FrameToPlace& frame, bool sceneChanged, bool shown, Layout& layout);
   void mend(const FrameToPlace& frame, Layout& layout);
   [[nodiscard]] double tanglesAhead(std::span<const PlacedLine> lines);
   void beginAttempt(const Attempt& attempt, Layout& layout);
