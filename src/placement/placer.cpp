@@ -24,6 +24,9 @@ bool sameScope(const Scope& a, const Scope& b) {
   return a.name == b.name && a.index == b.index && a.box.origin == b.box.origin && a.box.axes == b.box.axes && a.box.size == b.box.size;
 }
 
+/// An edit that changes the model's bounds gives another picture, but moves no camera.
+bool sameCamera(const View& a, const View& b) { return a.camera() == b.camera() && a.widthPx() == b.widthPx() && a.heightPx() == b.heightPx(); }
+
 }  // namespace
 
 Placer::Placer() : state_(std::make_unique<State>()) {}
@@ -43,7 +46,7 @@ void Placer::forget() {
   past.view.reset();
   past.crowded = 0;
   past.framesWithRoom = 0;
-  past.settled = true;
+  past.rest = Rest::kSettled;
   past.settles = past.anew = false;
 }
 
@@ -94,7 +97,7 @@ void Placer::awaitFields() {
 
 void Placer::settle() { state_->past.settles = true; }
 
-bool Placer::settled() const { return state_->past.settled; }
+bool Placer::settled() const { return state_->past.rest == Rest::kSettled; }
 
 bool Placer::anew() const { return state_->past.anew; }
 
@@ -187,14 +190,19 @@ void Placer::place(const View& view, const DistanceFields& fields, const Values&
   if (turnRad > kForgetTurnRad) forget();
   const bool first = !s.past.view;
   const bool sceneChanged = std::exchange(s.past.sceneChanged, false);
-  const bool settles = asked && !first && !sceneChanged && held.empty();
+  const bool rests = asked && !first && !sceneChanged && held.empty();
+  const bool cameraMoved = first || !sameCamera(view, *s.past.view);
+  const bool tidies = rests && !cameraMoved && s.past.rest == Rest::kEdited;
+  const bool settles = rests && !tidies;
   if (settles && !goesOn) s.settling.before = s.past;
   // An edit is not part of the movement before it, and where that ends nothing more is to come.
   s.foresight.begin(sceneChanged || settles ? std::nullopt : s.past.view, view, s.bounds, s.objectPlanes, s.toleranceM);
   const bool viewMoved = s.beginFrame(view);
   if (settles && !viewMoved && s.settling.step <= 1) std::ranges::for_each(s.past.histories, &History::age);   // lines may go wherever they may in a movement
-  // Who has taken hold of a line has taken the picture as it is.
-  s.past.settled = !settles && (!held.empty() || (s.past.settled && !viewMoved));
+  Rest& rest = s.past.rest;
+  if (settles || cameraMoved) rest = Rest::kMoved;
+  if (rest == Rest::kMoved && !held.empty()) rest = Rest::kSettled;   // who has taken hold of a line has taken the picture as it is
+  if (rest == Rest::kSettled && sceneChanged) rest = Rest::kEdited;
   s.past.anew = first;
   // In another scene a scope has no past: what an edit covers is hidden at once, and what it lays open is shown.
   s.findVisible(view, visibility, sceneChanged ? kReturnFrames : viewMoved ? std::max(static_cast<int>(turnRad / kFrameTurnRad), 1) : 0);
@@ -209,6 +217,7 @@ void Placer::place(const View& view, const DistanceFields& fields, const Values&
   s.occupied.begin(fields);
   if (!settles) s.placeInRounds(frame, sceneChanged, layout);
   else if (!s.settleOn(frame, layout)) return;
+  if (tidies) s.tidy(frame, layout);
   s.firm = firm;
   s.past.labels.note(layout.lines, frame.viewMoved);
   if (s.showHidden) s.placeOnDemand(frame, sceneChanged, layout);
@@ -253,7 +262,6 @@ bool Placer::State::settleOn(const FrameToPlace& frame, Layout& layout) {
   tidy(frame, settling.layout);
   settling.step = 0;
   std::swap(layout, settling.layout);
-  past.settled = true;
   return true;
 }
 

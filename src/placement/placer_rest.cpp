@@ -8,21 +8,24 @@
 
 namespace dimline {
 
-/// The last that is done where lines settle. It ends as the frames after it begin, before a camera that stands still, so that nothing moves in those.
+/// The last that is done where lines settle, and all that is done after an edit. It ends as the frames after it begin, before a camera that stands still, so that nothing moves in those.
 void Placer::State::tidy(const FrameToPlace& frame, Layout& layout) {
   tidyLabels(frame, layout.lines);
   past.labels.note(layout.lines, true);
   FrameToPlace still = frame;
   still.viewMoved = false;
-  const FrameKind settles = std::exchange(kind, {});
-  // Lines move away from labels, and then once more stand as they will in the next frame, where they need not: one that found no room by that is not seen to move back.
-  for (const double px : {kLabelClearanceSettledPx, kLabelClearancePx}) {
+  const bool settles = std::exchange(kind, {}).settles;
+  const auto keepFromLabels = [&](double px) {
     occupied.keepFromLabels(px);
     placeMended(still, false, true, layout);
-  }
-  kind = settles;
+  };
+  if (settles) keepFromLabels(kLabelClearanceSettledPx);   // after an edit lines keep their places, for which there may not be as much room
+  // Then once more they stand as they will in the next frame, where they need not move away: one that found no room by that is not seen to move back.
+  keepFromLabels(kLabelClearancePx);
+  kind.settles = true;
   placeInBestOrder(still, layout);
   labelInside(still, layout.lines);
+  past.rest = Rest::kSettled;
 }
 
 void Placer::State::tidyLabels(const FrameToPlace& frame, std::span<PlacedLine> lines) {

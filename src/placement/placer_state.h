@@ -34,6 +34,13 @@ struct FrameToPlace {
   return std::ranges::find(hidden, parameter, &HiddenParameter::parameter) != hidden.end();
 }
 
+/// What is left to be done once nothing moves any more.
+enum class Rest : unsigned char {
+  kMoved,    ///< lines are to look for better places
+  kEdited,   ///< they are where someone wants them, but labels are to be laid out as a whole again
+  kSettled,  ///< nothing
+};
+
 struct Placer::State {
   std::vector<Parameter> parameters;
   std::vector<Scope> scopes;
@@ -66,7 +73,7 @@ struct Placer::State {
     std::size_t crowded = 0;          ///< how many of the shortest lines are hidden for want of room
     int framesWithRoom = 0;           ///< moved frames on end in which there would have been room for one more of them
     bool sceneChanged = false;        ///< since the last frame
-    bool settled = true;              ///< see Placer::settled()
+    Rest rest = Rest::kSettled;
     bool settles = false;             ///< with the next frame
     bool anew = false;                ///< see Placer::anew()
   };

@@ -172,6 +172,20 @@ TEST_CASE("who takes hold of a line takes the picture as it is: nothing settles 
   REQUIRE(sameIdentities(held.lines, stage.editor.layout().lines));
 }
 
+TEST_CASE("labels are laid out once an edit is over: when the hand lets go, or nothing has been edited for a while") {
+  EditorStage stage;
+  const Vec2 at = stage.handle("Height");
+  stage.down(at);
+  stage.frame();
+  stage.move(at + Vec2(0, -30));
+  stage.frame();
+  stage.up(at + Vec2(0, -30));
+  CHECK(stage.settle() <= 14);   // 180 ms and two frames
+  stage.set("Height", 3);
+  CHECK(stage.settle() >= 350 / 16);
+  requireNothingMoves(stage);
+}
+
 TEST_CASE("a value that changes moves its line at once, without lagging behind the model") {
   EditorStage stage;
   for (int i = 1; i <= 20; ++i) {

@@ -80,6 +80,34 @@ TEST_CASE("where lines have settled a long line has its number beside itself, an
   }
 }
 
+TEST_CASE("after an edit a chain's numbers stand on one side and at an even step again, without a turn of the camera") {
+  EditorStage stage(defineParthenon(), 976, 744);
+  const std::size_t parameter = stage.indexOf("ColumnSpacing");
+  int chains = 0;
+  for (const double spacing : {3.6, 4.6, 5.4, 6.0, 5.0, 4.0}) {
+    stage.set("ColumnSpacing", spacing);
+    stage.settle();
+    // Along the chain, the picture's x.
+    std::vector<std::pair<double, const PlacedLine*>> chain;
+    for (const PlacedLine& line : stage.editor.layout().lines) {
+      if (line.parameter == parameter && line.chain >= 0) chain.emplace_back(line.lineScreen.middle().x, &line);
+    }
+    std::ranges::sort(chain);
+    std::vector<std::size_t> numbered;
+    for (std::size_t i = 0; i < chain.size(); ++i) {
+      if (chain[i].second->label) numbered.push_back(i);
+    }
+    if (numbered.size() < 2) continue;
+    ++chains;
+    CAPTURE(spacing, numbered);
+    for (std::size_t i = 1; i < numbered.size(); ++i) {
+      CHECK(numbered[i] - numbered[i - 1] == numbered[1] - numbered[0]);
+      CHECK(chain[numbered[i]].second->labelPlace.side == chain[numbered[0]].second->labelPlace.side);
+    }
+  }
+  CHECK(chains >= 4);
+}
+
 TEST_CASE("where lines have settled a line keeps further from the number of another than that one's line does") {
   std::size_t numbers = 0, near = 0;
   forEachRest(defineParthenon(), [&](const Layout& layout) {

@@ -184,6 +184,43 @@ TEST_CASE("a frame of another scene does not settle; it is for the next one to b
   CHECK(stage.placer.settled());
 }
 
+TEST_CASE("after an edit of what has settled one frame lays out its labels, and its lines stay on their edges") {
+  TurnedStage stage(60);
+  stage.settle(60);
+  stage.values.set(0, 1.1 * stage.values.at(0));
+  stage.rebuild();
+  stage.look(turned(60));
+  CHECK_FALSE(stage.placer.settled());
+  const std::vector<PlacedLine> edited = stage.layout.lines;
+  stage.step(60);
+  CHECK(stage.placer.settled());
+  CHECK(changes(edited, stage.layout.lines) == 0);
+  const Layout rests = stage.layout;
+  for (int frame = 0; frame < 3; ++frame) CHECK(sameLayout(rests, stage.look(turned(60))));
+}
+
+TEST_CASE("what is edited in the hand is laid out when it is let go of, and not before") {
+  TurnedStage stage(60);
+  stage.settle(60);
+  const auto placeHeld = [&] {
+    const PlacedLine held = stage.layout.lines.front();
+    stage.placer.settle();
+    stage.placer.place(stage.layout.view, stage.fields, stage.values, stage.layout, nullptr, std::span(&held, 1));
+  };
+  placeHeld();
+  CHECK(stage.placer.settled());   // a hand that changes nothing leaves nothing to be done
+  stage.values.set(0, 1.1 * stage.values.at(0));
+  stage.rebuild();
+  for (int frame = 0; frame < 3; ++frame) {
+    placeHeld();
+    CHECK_FALSE(stage.placer.settled());
+  }
+  stage.look(turned(60));
+  CHECK_FALSE(stage.placer.settled());
+  stage.step(60);
+  CHECK(stage.placer.settled());
+}
+
 TEST_CASE("a model that is forgotten has nothing to settle") {
   TurnedStage stage(60);
   stage.placer.settle();
