@@ -67,15 +67,6 @@ auto orbitsBy(double stepDeg) {
   };
 }
 
-/// The same with a rest after so many steps.
-auto orbitsWithRests(double stepDeg, std::size_t restEvery) {
-  return [=](const Bounds& bounds) {
-    std::vector<Flight> flights = orbitsBy(stepDeg)(bounds);
-    for (Flight& flight : flights) flight.restEvery = restEvery;
-    return flights;
-  };
-}
-
 double crossingShare(std::string_view name, std::uint64_t flight) {
   return crossingShareOf(name, [&](const Bounds& bounds) { return std::vector{randomFlight(bounds, flight)}; });
 }
@@ -94,22 +85,33 @@ TEST_CASE("in flights, lines that would run across others' extension lines are p
 // Where features that are mostly hidden, or partly out of the picture, get lines all the same, it is 3.3 %.
 TEST_CASE("in flights, what is seen in part is not measured across others' extension lines") { CHECK(crossingShare("omni-tree", 1) < 0.02); }
 
-// Where each frame is mended without a look at those ahead it is 2.4 to 3.5 %, as chance has it; with it 1.1 to 2.0 %.
-TEST_CASE("in orbits of a crowded model, lines go where the movement does not bring them across others' extension lines at once") {
-  CHECK(crossingShareOf("boat", orbitsBy(1)) < 0.022);
-}
-
 // A turn of 36 degrees is more than kForgetTurnRad, so each of these frames is a first picture. Its lines lie 125 px away in the mean; where they do not look, 131 px; where each of them that goes elsewhere costs what it
 // costs in a movement, 127 px.
 TEST_CASE("in first pictures, each line looks for a better place when all are there") {
   CHECK(meanDistancePx("house", orbitsBy(36)) < 126.5);
 }
 
+// Long flights in which the sanitizers see nothing that the shorter ones, here and in the audit's own tests, do not show them, at several times the cost.
+#ifndef __SANITIZE_ADDRESS__
+
+// Where each frame is mended without a look at those ahead it is 2.4 to 3.5 %, as chance has it; with it 1.1 to 2.0 %.
+TEST_CASE("in orbits of a crowded model, lines go where the movement does not bring them across others' extension lines at once") {
+  CHECK(crossingShareOf("boat", orbitsBy(1)) < 0.022);
+}
+
 // Measured are frame 0 and each 10th of an orbit, in which a movement ends or goes on.
 TEST_CASE("where a movement ends, lines lie nearer to what they measure than where it goes on") {
   constexpr std::size_t kEvery = 10;
-  const double onTheWayPx = meanDistancePx("house", orbitsBy(3), kEvery);
-  const double atRestPx = meanDistancePx("house", orbitsWithRests(3, kEvery), kEvery);
+  const auto orbits = orbitsBy(3);
+  const auto orbitsWithRests = [&](const Bounds& bounds) {
+    std::vector<Flight> flights = orbits(bounds);
+    for (Flight& flight : flights) flight.restEvery = kEvery;
+    return flights;
+  };
+  const double onTheWayPx = meanDistancePx("house", orbits, kEvery);
+  const double atRestPx = meanDistancePx("house", orbitsWithRests, kEvery);
   INFO(atRestPx << " px at rest, " << onTheWayPx << " px on the way");
   CHECK(atRestPx < 0.85 * onTheWayPx);
 }
+
+#endif
