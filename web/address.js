@@ -62,7 +62,8 @@ export function valuesOf(url, parameters) {
 function valueOf({ type, choices }, text) {
   if (type === "bool") return text === "true" || (text === "false" ? false : undefined);
   if (type === "choice") return choices.includes(text) ? text : undefined;
-  const number = text.trim() === "" ? Number.NaN : Number(text);
+  // Somebody may have typed 9,5 there.
+  const number = text.trim() === "" ? Number.NaN : Number(text.replace(/^([^.,]*),([^.,]*)$/, "$1.$2"));
   return Number.isFinite(number) ? number : undefined;
 }
 

@@ -31,6 +31,15 @@ test("a number is written as people write it, not as arithmetic left it", () => 
   assert.equal(withValues(kPage, changed({ Width: 0.1 + 0.2, Pitch: 29.999999999999996 })), `${kPage}#Width=0.3&Pitch=30`);
 });
 
+test("a decimal comma is understood, two marks are not", () => {
+  assert.deepEqual(valuesOf(`${kPage}#Width=9,5&Pitch=-1,5e1`, parameters).values, { Width: 9.5, Pitch: -15 });
+  for (const text of ["1,234.5", "1.234,5", "1,2,3", ",", "1, 5"]) {
+    const { values, problems } = valuesOf(`${kPage}#Width=${text}`, parameters);
+    assert.deepEqual(values, {}, text);
+    assert.equal(problems.length, 1);
+  }
+});
+
 test("what cannot be had is left out, and said", () => {
   const { values, problems } = valuesOf(`${kPage}#Width=10&Width=wide&Pitch=&Attic=maybe&Roof=dome&Moat=3`, parameters);
   assert.deepEqual(values, { Width: 10 });
