@@ -20,7 +20,7 @@ constexpr double kVisibilityIntervalMs = 60.0;
 /// is asked after so long.
 constexpr double kVisibilityPatienceMs = 250.0;
 
-/// ms. A movement by wheel, by keys or by a host has no end that anyone tells of: it is over when the camera has stood still for so long. Less: lines settle between two turns of
+/// ms. A movement by wheel, by keys or by a host, or an edit from the panel, has no end that anyone tells of: it is over when nothing has moved for so long. Less: lines settle between two turns of
 /// a wheel. More: they do when someone reads them already.
 constexpr double kSettleAfterMs = 350.0;
 
@@ -105,9 +105,10 @@ void Editor::State::measureAndPlace(const View& view) {
   settleLines(moved);
 }
 
-/// Lets lines find the places in which they rest once a movement has ended: at once when a hand lets go of the camera, and after a leap to another view.
+/// Lets lines find the places in which they rest once a movement or an edit has ended: at once when a hand lets go, and after a leap to another view.
 void Editor::State::settleLines(bool moved) {
-  if (moved) settleMs = nowMs + (std::exchange(settlesAtOnce, false) ? 0.0 : kSettleAfterMs);
+  const bool atOnce = std::exchange(settlesAtOnce, false);
+  if (moved) settleMs = nowMs + (atOnce ? 0.0 : kSettleAfterMs);
   const bool letGo = std::exchange(inHand, handHolds()) && !inHand;
   if (letGo || placer.anew()) settleMs = nowMs;
   if (!unsettled() || nowMs < settleMs || !placedOnce || !fieldSource.current() || visibilityStale) return;
@@ -146,7 +147,9 @@ void Editor::State::placeOn(const View& view, bool moving) {
   }
   placer.place(view, fieldSource.fields(), placedValues(), placed, &visibilitySource.seen(), heldLines);
   if (!fieldSource.current()) placer.awaitFields();
-  else if (!placedOnce) placer.placeSettled(view, fieldSource.fields(), placedValues(), placed, &visibilitySource.seen());   // nobody has seen anything yet that would wait
+  else if (!placedOnce && heldLines.empty() && !placer.settled()) {
+    placer.placeSettled(view, fieldSource.fields(), placedValues(), placed, &visibilitySource.seen());   // nobody sees anything yet that would move
+  }
   for (const PlacedLine& line : heldLines) {
     if (line.chain >= 0) holdMember(line);
   }

@@ -15,8 +15,8 @@ namespace dimline {
 class LabelTidying {
  public:
   /// Places the labels of one parameter's lines outside the model anew: of a line, or of a chain.
-  /// A chain measures one size many times: its numbers stand on one side, at every line if all have room, or else at an even step, as small as there is room for, each at its own line's middle. One number more, beside the
-  /// bound of two lines, or a gap in a row, says less.
+  /// A chain measures one size many times: its numbers stand on one side, at every line if all have room, or else at an even step, as small as there is room for, and then each at its own line's middle. One number more,
+  /// beside the bound of two lines, or a gap in a row, says less.
   /// A single line that can carry its label has it beside itself, where there is no room on it, before it has it beyond an end.
   /// Where that finds nothing each label goes where it would go by itself, and where none has room they stay as they are.
   /// `landed`: all that is there, these lines and their labels included; it is told of the labels' new places.

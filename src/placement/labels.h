@@ -20,7 +20,7 @@ struct LabelRequest {
   Vec2 outward{0.0};              ///< screen direction from the model to the line; zero when inside
   const DistanceFields* model = nullptr;   ///< the label clears these fields; null when the line lies inside the model
   bool overExtensions = false;    ///< extension lines may run under it
-  int parameter = Landed::kNobody;              ///< whose lines have landed already: they count as fellows alone, and their extension lines like any others
+  int parameter = Landed::kNobody;              ///< whose lines have landed already: they count as fellows alone, their extension lines like any others, and other things may be a hair (1 px) nearer
   std::optional<LabelPlace::Side> side = {};    ///< the label goes nowhere else, and
   bool centred = false;                         ///< there to the line's middle alone
   std::span<const Segment2> fellows = {};       ///< px, the lines of its chain, this one among them, and

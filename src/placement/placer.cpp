@@ -78,7 +78,9 @@ struct Placer::Memory::Content {
 Placer::Memory Placer::memory() const {
   Memory memory;
   const State& s = *state_;
-  memory.content_ = std::make_shared<const Memory::Content>(Memory::Content{s.settling.step > 0 ? s.settling.before : s.past, s.onDemand, s.foresight});
+  const bool settling = s.settling.step > 0;
+  memory.content_ = std::make_shared<const Memory::Content>(
+      Memory::Content{settling ? s.settling.before : s.past, s.onDemand, settling ? s.settling.foresightBefore : s.foresight});
   return memory;
 }
 
@@ -134,6 +136,7 @@ void Placer::setScene(const Model& model, const Scene& scene) {
   if (edited) {
     s.forgetOffsets();
     s.past.sceneChanged = true;
+    if (s.past.rest == Rest::kSettled) s.past.rest = Rest::kEdited;
   }
   const std::vector<Measured> before = std::exchange(s.order, {});
   s.others.clear();
@@ -194,15 +197,17 @@ void Placer::place(const View& view, const DistanceFields& fields, const Values&
   const bool cameraMoved = first || !sameCamera(view, *s.past.view);
   const bool tidies = rests && !cameraMoved && s.past.rest == Rest::kEdited;
   const bool settles = rests && !tidies;
-  if (settles && !goesOn) s.settling.before = s.past;
+  if (settles && !goesOn) {
+    s.settling.before = s.past;
+    s.settling.foresightBefore = s.foresight;
+  }
   // An edit is not part of the movement before it, and where that ends nothing more is to come.
   s.foresight.begin(sceneChanged || settles ? std::nullopt : s.past.view, view, s.bounds, s.objectPlanes, s.toleranceM);
   const bool viewMoved = s.beginFrame(view);
   if (settles && !viewMoved && s.settling.step <= 1) std::ranges::for_each(s.past.histories, &History::age);   // lines may go wherever they may in a movement
-  Rest& rest = s.past.rest;
-  if (settles || cameraMoved) rest = Rest::kMoved;
-  if (rest == Rest::kMoved && !held.empty()) rest = Rest::kSettled;   // who has taken hold of a line has taken the picture as it is
-  if (rest == Rest::kSettled && sceneChanged) rest = Rest::kEdited;
+  if (settles || cameraMoved) s.past.rest = Rest::kMoved;
+  // Who has taken hold of a line has taken the picture as it is.
+  if (s.past.rest == Rest::kMoved && !held.empty()) s.past.rest = sceneChanged ? Rest::kEdited : Rest::kSettled;
   s.past.anew = first;
   // In another scene a scope has no past: what an edit covers is hidden at once, and what it lays open is shown.
   s.findVisible(view, visibility, sceneChanged ? kReturnFrames : viewMoved ? std::max(static_cast<int>(turnRad / kFrameTurnRad), 1) : 0);
@@ -230,7 +235,7 @@ void Placer::place(const View& view, const DistanceFields& fields, const Values&
 }
 
 void Placer::placeSettled(const View& view, const DistanceFields& fields, const Values& values, Layout& layout, const ScopeVisibility* visibility) {
-  constexpr int kMost = kSettlingSteps + 2;   // one more where nothing is known yet, and one where the scene has changed
+  constexpr int kMost = kSettlingSteps + 1;   // one more where nothing is known yet, or the scene has changed
   for (int frame = 0; frame < kMost && (frame == 0 || !settled()); ++frame) {
     settle();
     place(view, fields, values, layout, visibility);
@@ -282,7 +287,9 @@ void Placer::State::placeSettling(const FrameToPlace& frame) {
 
 /// What was remembered before lines began to settle is remembered again.
 void Placer::State::breakOffSettling() {
-  if (std::exchange(settling.step, 0) > 0) past = settling.before;
+  if (std::exchange(settling.step, 0) == 0) return;
+  past = settling.before;
+  foresight = settling.foresightBefore;
 }
 
 /// A round of placing everything. `shown`: what was placed before.

@@ -38,14 +38,16 @@ class Placer {
   [[nodiscard]] Memory memory() const;
   void recall(const Memory& memory);
 
-  /// To be told before each frame after a movement has ended, until settled(). While the camera moves lines stay where they are as long as they can, so that the eye can follow, and end up far out or along what has turned away;
-  /// now each looks for a better place, as in a first picture, and changes when that is better by more than kScoreChangeSettling; in the end labels (label_tidying.h) and switches are laid out as a whole. That takes
-  /// kRoundsSettling + 1 frames of the same view, each some milliseconds: until the last of them place() leaves the layout as it is. Any other frame breaks it off, and all is as it was before. The view may be the last
-  /// frame's; it says nothing while the scene changes or a line is held. After an edit of what has settled the lines stay where someone has just worked with them, and one frame lays out labels and switches anew.
+  /// To be told before each frame after a movement or an edit has ended, until settled(). It says nothing while the scene changes or a line is held.
+  /// After a movement lines settle: while the camera moves they stay where they are as long as they can, so that the eye can follow, and end up far out or along what has turned away; now each looks for a better place, as in a
+  /// first picture, and changes when that is better by more than kScoreChangeSettling; in the end labels (label_tidying.h) and switches are laid out as a whole. That takes kRoundsSettling + 1 frames of the same view, which may
+  /// be the last frame's, each some milliseconds: until the last of them place() leaves the layout as it is. Any other frame breaks it off, and all is as it was before.
+  /// After an edit of what has settled lines stay where someone has just worked with them, and one frame lays out labels and switches as a whole.
   void settle();
-  /// All these frames at once, where nobody waits for the next one.
+  /// All these frames at once, where nobody waits for the next one; what has settled settles once more.
   void placeSettled(const View& view, const DistanceFields& fields, const Values& values, Layout& layout, const ScopeVisibility* visibility = nullptr);
-  /// Whether the view and the scene are those in which the lines settled last. So they are, too, once a line is held, until that changes the scene: the picture is left as it is then.
+  /// Whether there is nothing left to settle: the view and the scene are those in which lines settled last, or there has been no frame yet. Once a line is held there is nothing either, until the hand changes the scene: who
+  /// takes hold of a line takes the picture as it is. An arc in the hand is no line.
   [[nodiscard]] bool settled() const;
   /// Whether the last frame was a first picture, since nothing was known of one before, or one of a view too far from it: what is placed at once is not as good as what settles, and nobody has seen lines that would move.
   [[nodiscard]] bool anew() const;

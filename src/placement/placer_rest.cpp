@@ -8,20 +8,29 @@
 
 namespace dimline {
 
-/// The last that is done where lines settle, and all that is done after an edit. It ends as the frames after it begin, before a camera that stands still, so that nothing moves in those.
+/// The last that is done where lines settle, and all that is done after an edit.
 void Placer::State::tidy(const FrameToPlace& frame, Layout& layout) {
+  const bool settles = std::exchange(kind, {}).settles;
+  if (!settles) beforeAttempts = past;
   tidyLabels(frame, layout.lines);
   past.labels.note(layout.lines, true);
   FrameToPlace still = frame;
   still.viewMoved = false;
-  const bool settles = std::exchange(kind, {}).settles;
   const auto keepFromLabels = [&](double px) {
     occupied.keepFromLabels(px);
     placeMended(still, false, true, layout);
   };
-  if (settles) keepFromLabels(kLabelClearanceSettledPx);   // after an edit lines keep their places, for which there may not be as much room
-  // Then once more they stand as they will in the next frame, where they need not move away: one that found no room by that is not seen to move back.
+  if (settles) {
+    const std::size_t crowded = past.crowded;
+    keepFromLabels(kLabelClearanceSettledPx);
+    past.crowded = crowded;
+  }
+  // The last time is as before a still camera, so that nothing moves in the next frame: what found no room by the greater distance is where it would go then.
   keepFromLabels(kLabelClearancePx);
+  if (!settles && !std::ranges::equal(past.histories, beforeAttempts.histories, {}, &History::last, &History::last)) {   // after an edit lines keep their places
+    past = beforeAttempts;
+    placeMended(still, false, true, layout);
+  }
   kind.settles = true;
   placeInBestOrder(still, layout);
   labelInside(still, layout.lines);

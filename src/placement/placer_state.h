@@ -82,7 +82,8 @@ struct Placer::State {
   /// Lines settle in several frames, one step in each, of which the last alone is shown.
   struct Settling {
     int step = 0;                     ///< so many are done
-    Past before;                      ///< what was remembered when the first began
+    Past before;                      ///< what was remembered when the first began, and
+    Foresight foresightBefore;        ///< what was ahead
     Past fromThere;                   ///< what came of the first step, and how good it is
     Outcome outcome;
     Layout layout;                    ///< what came of the last step

@@ -172,6 +172,22 @@ TEST_CASE("who takes hold of a line takes the picture as it is: nothing settles 
   REQUIRE(sameIdentities(held.lines, stage.editor.layout().lines));
 }
 
+TEST_CASE("hidden and shown again, the picture is as it was: what was taken as it is does not settle") {
+  EditorStage stage;
+  turnInFrames(stage, 40);
+  const Vec2 at = stage.handle("Height");
+  stage.down(at);
+  stage.frame();
+  stage.up(at);
+  stage.settle();
+  const Layout before = stage.editor.layout();
+  stage.editor.resize(0, 0, 1);
+  stage.frame();
+  stage.editor.resize(1000, 1000, 1);
+  stage.settle();
+  CHECK(sameLayout(before, stage.editor.layout()));
+}
+
 TEST_CASE("labels are laid out once an edit is over: when the hand lets go, or nothing has been edited for a while") {
   EditorStage stage;
   const Vec2 at = stage.handle("Height");

@@ -5,6 +5,7 @@
 #include "app/editor_stage.h"
 #include "math/geometry.h"
 #include "models/models.h"
+#include "support/stage.h"
 
 // What a picture that has settled looks like as a whole, in built-in models.
 
@@ -120,4 +121,18 @@ TEST_CASE("where lines have settled a line keeps further from the number of anot
   });
   CHECK(numbers > 20);
   CHECK(near <= numbers / 10);
+}
+
+TEST_CASE("in a small viewport lines do not go for want of the greater distance from numbers") {
+  const auto isCrowded = [](const HiddenParameter& hidden) { return hidden.reason == HiddenReason::kCrowded; };
+  std::ptrdiff_t crowded = 0;
+  for (const auto& [elevationDeg, azimuthDeg] : {std::pair(10, 150), {10, 300}, {30, 60}, {30, 120}}) {
+    Stage stage(defineBoat());
+    const Bounds& bounds = stage.scene.bounds;
+    const double awayM = 0.65 * bounds.diagonal() / std::sin(17.5 * kRadPerDeg);
+    for (int deg = azimuthDeg - 60; deg <= azimuthDeg; deg += 4) stage.look(orbitCamera(bounds.center(), awayM, deg, elevationDeg), 300, 200);
+    stage.placer.placeSettled(stage.layout.view, stage.fields, stage.values, stage.layout);
+    crowded += std::ranges::count_if(stage.layout.hidden, isCrowded);
+  }
+  CHECK(crowded < 4 * 5);   // 49 when they do
 }

@@ -221,6 +221,18 @@ TEST_CASE("what is edited in the hand is laid out when it is let go of, and not 
   CHECK(stage.placer.settled());
 }
 
+TEST_CASE("a hand that changes nothing leaves nothing to be done, though fields come late") {
+  TurnedStage stage(60);
+  stage.settle(60);
+  const PlacedLine held = stage.layout.lines.front();
+  for (int frame = 0; frame < 2; ++frame) {
+    stage.placer.place(stage.layout.view, stage.fields, stage.values, stage.layout, nullptr, std::span(&held, 1));
+    stage.placer.awaitFields();
+  }
+  stage.look(turned(60));
+  CHECK(stage.placer.settled());
+}
+
 TEST_CASE("a model that is forgotten has nothing to settle") {
   TurnedStage stage(60);
   stage.placer.settle();
