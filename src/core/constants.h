@@ -92,7 +92,7 @@ inline constexpr double kSameLinePx = 1.5;
 inline constexpr double kExtensionAsidePx = 4.0;
 
 /// px2 of viewport for each parameter, from which on all lines are shown, however much in each other's way.
-/// Below it the shortest are hidden until no line runs into another.
+/// Below it one that would run into another is hidden.
 inline constexpr double kCrowdedPx2 = 20000.0;
 /// px2 of viewport for each parameter, below which no switch and no choice is shown: one covers 3,000, and more than half of it lies on the model.
 inline constexpr double kPillsCrowdedPx2 = 8000.0;

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
-#include <cmath>
 #include <utility>
 
 #include "core/sort_keys.h"
@@ -11,7 +10,7 @@
 #include "placement/placer_state.h"
 
 // What is known from frame to frame, and how often a frame is placed: while only the camera moves, lines keep their places and what can be done better is mended little by little (mending.h);
-// a first picture is placed in rounds, and so is one in which lines settle, a round a frame; in a small viewport the shortest lines give way until there is room. placer_attempt.cpp places a frame once.
+// a first picture is placed in rounds, and so is one in which lines settle, a round a frame. placer_attempt.cpp places a frame once.
 
 namespace dimline {
 
@@ -44,8 +43,6 @@ void Placer::forget() {
   past.mending = {};
   past.sights.clear();
   past.view.reset();
-  past.crowded = 0;
-  past.framesWithRoom = 0;
   past.rest = Rest::kSettled;
   past.settles = past.anew = false;
 }
@@ -273,10 +270,7 @@ bool Placer::State::settleOn(const FrameToPlace& frame, Layout& layout) {
 /// The first round of settling, in two steps: once from where lines are, and once as if nothing were remembered of them. The next round goes on from the better one.
 void Placer::State::placeSettling(const FrameToPlace& frame) {
   const bool anew = settling.step == 2;
-  if (anew) {
-    past.forget();
-    past.crowded = 0;
-  }
+  if (anew) past.forget();
   asksForRoom = true;
   placeOnce(frame, false, true, settling.layout);
   outcome.changes = 0;
@@ -305,9 +299,9 @@ void Placer::State::placeMended(const FrameToPlace& frame, bool sceneChanged, bo
   past.lookAhead.project(order, past.placingOrder.ranks(), frame.view, frame.fields);
   const bool mends = firm && frame.viewMoved;
   if (mends) beforeAttempts = past;
-  keepsTurns = mends && mostCrowded(frame.view) == 0 && !attemptsAreWhole;
+  keepsTurns = mends && !attemptsAreWhole;
   if (keepsTurns) makeRoomForTurns();
-  placeWithRoom(frame, layout);
+  placeAllLines(frame, layout);
   if (mends) mend(frame, layout);
   keepsTurns = false;
 }
@@ -330,9 +324,9 @@ void Placer::State::mend(const FrameToPlace& frame, Layout& layout) {
     if (keepsTurns) {
       const std::size_t from = same - same % turnsBetween();
       goOnFromBest(from, layout);
-      placeFrom(from, frame, 0, layout);
+      placeFrom(from, frame, layout);
     } else {
-      placeWithRoom(frame, layout);
+      placeAllLines(frame, layout);
     }
     outcome.tanglesAhead = tanglesAhead(layout.lines);
     const bool wins = !looksInVain() && (attempt->winsTies ? !bestOutcome.betterThan(outcome) : outcome.betterThan(bestOutcome));
@@ -394,34 +388,6 @@ void Placer::State::swapWithBest(Layout& layout) {
   std::swap(bestOutcome, outcome);
   std::swap(bestLayout, layout);
   occupied.swapLanded(bestOccupied);
-}
-
-/// How many of the shortest lines may have to go in a small viewport.
-std::size_t Placer::State::mostCrowded(const View& view) const {
-  const auto roomFor = static_cast<std::size_t>(std::ceil(view.widthPx() * view.heightPx() / kCrowdedPx2));
-  return roomFor >= editable ? 0 : std::min(editable - roomFor, order.size());
-}
-
-/// Places all lines, but as many of the shortest as have to go in a small viewport. One of them comes back when there has been room for it for a while.
-void Placer::State::placeWithRoom(const FrameToPlace& frame, Layout& layout) {
-  const std::size_t most = mostCrowded(frame.view);
-  std::size_t crowded = std::min(past.crowded, most);
-  if (most > 0) beforePlacing = past;
-  const bool mending = !avoided.empty();
-  if (crowded > 0 && frame.viewMoved && !mending) {
-    int& framesWithRoom = beforePlacing.framesWithRoom;
-    framesWithRoom = placeAllLines(frame, crowded - 1, layout) ? 0 : framesWithRoom + 1;
-    if (framesWithRoom == kPatienceFrames) {
-      framesWithRoom = 0;
-      --crowded;
-    }
-    past = beforePlacing;
-  }
-  while (placeAllLines(frame, crowded, layout) && crowded < most) {
-    past = beforePlacing;
-    ++crowded;
-  }
-  past.crowded = crowded;
 }
 
 /// Places beside what has been placed what is shown on demand. All that was there stays where it is.

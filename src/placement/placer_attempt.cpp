@@ -67,8 +67,8 @@ void recycle(std::vector<Thing>& list, std::vector<Thing>& spare, std::size_t mo
 
 }  // namespace
 
-/// Places all lines but the `crowded` shortest, and before them the handles of which all others keep clear. Returns whether a line runs into another.
-bool Placer::State::placeAllLines(const FrameToPlace& frame, std::size_t crowded, Layout& layout) {
+/// Places all lines, and before them the handles of which all others keep clear.
+void Placer::State::placeAllLines(const FrameToPlace& frame, Layout& layout) {
   emptyLayout(layout);
   occupied.clear();
   // What is held stays where it is: shorter lines come before it, but must leave it room.
@@ -77,7 +77,7 @@ bool Placer::State::placeAllLines(const FrameToPlace& frame, std::size_t crowded
     if (hasOnePlace(other)) placeOther(other, frame, layout);
   }
   outcome.begin(order.size(), kind);
-  return placeFrom(0, frame, crowded, layout);
+  placeFrom(0, frame, layout);
 }
 
 /// An arc that stays in its scope's frame: all others keep clear of it.
@@ -128,17 +128,15 @@ void Placer::State::goOnFromBest(std::size_t turn, Layout& layout) {
   layout.hidden.assign(bestLayout.hidden.begin(), bestLayout.hidden.begin() + static_cast<std::ptrdiff_t>(then.hidden));
   occupied.goBackTo(then.occupied);
   outcome = then.outcome;
-  past.crowded = bestPast.crowded;
   past.lookAhead.noteAgain(bestPast.lookAhead, then.noted);
   const auto rememberAgain = [&](const Measured& measured) { past.histories[measured.parameter] = bestPast.histories[measured.parameter]; };
   for (const Measured& other : others) rememberAgain(other);
   for (const std::size_t rank : past.placingOrder.ranks().first(turn)) rememberAgain(order[rank]);
 }
 
-/// Places the lines whose turn has not come yet. Returns whether one that can be edited runs into another.
-bool Placer::State::placeFrom(std::size_t firstTurn, const FrameToPlace& frame, std::size_t crowded, Layout& layout) {
+/// Places the lines whose turn has not come yet.
+void Placer::State::placeFrom(std::size_t firstTurn, const FrameToPlace& frame, Layout& layout) {
   const auto& [view, fields, values, held, viewMoved] = frame;
-  bool cramped = false;
   const ObjectPlanesInFrame object{objectPlanes, objectPlaneUses, toleranceM};
   const auto ranks = past.placingOrder.ranks();
   for (std::size_t turn = firstTurn; turn < ranks.size(); ++turn) {
@@ -153,19 +151,10 @@ bool Placer::State::placeFrom(std::size_t firstTurn, const FrameToPlace& frame, 
       landHeld(measured, *inHand, layout);
       continue;
     }
-    if (rank < crowded) {
-      layout.hidden.push_back({measured.parameter, measured.scopes.empty() ? HiddenReason::kNoScope : HiddenReason::kCrowded});
-      judgeHidden(past.histories[measured.parameter]);
-      past.histories[measured.parameter].choseNone();
-    } else {
-      const Identity* avoid = !avoided.empty() && avoided[rank] != Identity{} ? &avoided[rank] : nullptr;
-      const bool runsInto = placeLines(rank, contextOf(frame, object, measured, avoid), values.at(measured.parameter), layout);
-      // A measure takes no place from what can be edited.
-      cramped |= runsInto && !parameters[measured.parameter].measure;
-    }
+    const Identity* avoid = !avoided.empty() && avoided[rank] != Identity{} ? &avoided[rank] : nullptr;
+    placeLines(rank, contextOf(frame, object, measured, avoid), values.at(measured.parameter), layout);
     if (isHeld) occupied.reserve(*inHand);
   }
-  return cramped;
 }
 
 /// Places what takes the room that the lines leave, once a frame: no attempt is judged by it.
@@ -237,23 +226,27 @@ BaseLineTally Placer::State::scopesOutOfSight(const Measured& measured) const {
   return tally;
 }
 
-/// Returns whether the line runs into another.
-bool Placer::State::placeLines(std::size_t rank, const ChoiceContext& context, double value, Layout& layout) {
+/// In a smaller viewport a line that would run into another is not shown, and comes back when there has been room for it for a while.
+bool Placer::State::hasRoomForLines(const View& view) const { return view.widthPx() * view.heightPx() > kCrowdedPx2 * (static_cast<double>(editable) - 1); }
+
+void Placer::State::placeLines(std::size_t rank, const ChoiceContext& context, double value, Layout& layout) {
   Measured& measured = order[rank];
   History& history = past.histories[measured.parameter];
   label(measured, parameters[measured.parameter], value);
   const bool found = chooser.choose(measured, context, history);
   // A line of what is not in plain view comes, inside the model, or comes back after it gave way to others, when it has had a place for a while: it may have one for a moment only.
   const bool comes = history.hiddenForWantOfRoom() || (history.hidden() && chooser.winner().placement == PlacementKind::kInside);
-  const bool waits = found && patient() && comes && !context.inPlainView(chooser.winner().scope) && !history.betterIsThere();
-  if (!found || waits) {
+  const bool mayGiveWay = found && !showAll && !hasRoomForLines(context.view);
+  const bool givesWay = mayGiveWay && chooser.cramped(), gaveWay = mayGiveWay && history.hiddenForWantOfRoom();
+  const bool waits = found && !givesWay && patient() && comes && (gaveWay || !context.inPlainView(chooser.winner().scope)) && !history.betterIsThere();
+  if (!found || givesWay || waits) {
     BaseLineTally tally = scopesOutOfSight(measured);
     tally.add(chooser.tally());
-    layout.hidden.push_back({measured.parameter, reasonFor(tally, !measured.scopes.empty())});
+    layout.hidden.push_back({measured.parameter, givesWay || gaveWay ? HiddenReason::kCrowded : reasonFor(tally, !measured.scopes.empty())});
     const bool forWantOfRoom = waits || chooser.cramped();
     if (forWantOfRoom) judgeHidden(history);
     history.choseNone(forWantOfRoom);
-    return false;
+    return;
   }
   judgeChoice(rank, history);
   const Candidate& winner = chooser.winner();
@@ -262,7 +255,6 @@ bool Placer::State::placeLines(std::size_t rank, const ChoiceContext& context, d
   if (context.avoid != nullptr) history.prefer();
   landChoice(measured, value, layout);
   noteChoice(measured);
-  return chooser.cramped();
 }
 
 /// Says where the choice lies to those who come before it in the next frame. One that gave way to a label asks for the room where it would have lain, and looks there again.

@@ -21,9 +21,11 @@ void Placer::State::tidy(const FrameToPlace& frame, Layout& layout) {
     placeMended(still, false, true, layout);
   };
   if (settles) {
-    const std::size_t crowded = past.crowded;
+    beforeAttempts = past;
     keepFromLabels(kLabelClearanceSettledPx);
-    past.crowded = crowded;
+    for (std::size_t i = 0; i < past.histories.size(); ++i) {   // who has no room by the greater distance looks again by the lesser one
+      if (past.histories[i].hiddenForWantOfRoom()) past.histories[i] = beforeAttempts.histories[i];
+    }
   }
   // The last time is as before a still camera, so that nothing moves in the next frame: what found no room by the greater distance is where it would go then.
   keepFromLabels(kLabelClearancePx);

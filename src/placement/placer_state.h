@@ -70,8 +70,6 @@ struct Placer::State {
     std::vector<std::size_t> othersOrder;   ///< numbers of those that are placed beside the lines
     Mending mending;
     std::optional<View> view;         ///< of the last frame
-    std::size_t crowded = 0;          ///< how many of the shortest lines are hidden for want of room
-    int framesWithRoom = 0;           ///< moved frames on end in which there would have been room for one more of them
     bool sceneChanged = false;        ///< since the last frame
     Rest rest = Rest::kSettled;
     bool settles = false;             ///< with the next frame
@@ -92,7 +90,6 @@ struct Placer::State {
   bool showHidden = false;
   Choices onDemand;                   ///< what showHidden adds has a memory of its own, or it would change what is shown without it
   bool showAll = false;               ///< that is what is being placed
-  Past beforePlacing;                 ///< in a viewport that may be too small: what to go back to
   Outcome outcome;
   bool firm = false;                  ///< see ChoiceContext
   FrameKind kind;                     ///< of the frame that is placed
@@ -163,18 +160,16 @@ struct Placer::State {
   [[nodiscard]] std::size_t turnsInCommon() const;
   [[nodiscard]] bool looksInVain() const;
   void swapWithBest(Layout& layout);
-  [[nodiscard]] std::size_t mostCrowded(const View& view) const;
-  void placeWithRoom(const FrameToPlace& frame, Layout& layout);
   void placeOnDemand(const FrameToPlace& frame, bool sceneChanged, Layout& layout);
 
   // placer_attempt.cpp
-  bool placeAllLines(const FrameToPlace& frame, std::size_t crowded, Layout& layout);
+  void placeAllLines(const FrameToPlace& frame, Layout& layout);
   void emptyLayout(Layout& layout);
   [[nodiscard]] std::size_t turnsBetween() const { return order.size() / kMostKeptTurns + 1; }
   void makeRoomForTurns();
   void keepTurn(std::size_t turn, const Layout& layout);
   void goOnFromBest(std::size_t turn, Layout& layout);
-  bool placeFrom(std::size_t firstTurn, const FrameToPlace& frame, std::size_t crowded, Layout& layout);
+  void placeFrom(std::size_t firstTurn, const FrameToPlace& frame, Layout& layout);
   [[nodiscard]] static bool hasOnePlace(const Measured& other);
   [[nodiscard]] bool hasRoomForPills(const View& view) const;
   void placeBesideLines(const FrameToPlace& frame, Layout& layout);
@@ -183,7 +178,8 @@ struct Placer::State {
   [[nodiscard]] ChoiceContext contextOf(const FrameToPlace& frame, const ObjectPlanesInFrame& object, const Measured& measured, const Identity* avoid);
   [[nodiscard]] std::span<const char> usableScopes(const Measured& measured) const;
   [[nodiscard]] BaseLineTally scopesOutOfSight(const Measured& measured) const;
-  bool placeLines(std::size_t rank, const ChoiceContext& context, double value, Layout& layout);
+  [[nodiscard]] bool hasRoomForLines(const View& view) const;
+  void placeLines(std::size_t rank, const ChoiceContext& context, double value, Layout& layout);
   void noteChoice(const Measured& measured);
   void judgeChoice(std::size_t rank, const History& history);
   void judgeHidden(const History& history);

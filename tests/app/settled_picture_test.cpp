@@ -123,16 +123,21 @@ TEST_CASE("where lines have settled a line keeps further from the number of anot
   CHECK(near <= numbers / 10);
 }
 
-TEST_CASE("in a small viewport lines do not go for want of the greater distance from numbers") {
-  const auto isCrowded = [](const HiddenParameter& hidden) { return hidden.reason == HiddenReason::kCrowded; };
-  std::ptrdiff_t crowded = 0;
-  for (const auto& [elevationDeg, azimuthDeg] : {std::pair(10, 150), {10, 300}, {30, 60}, {30, 120}}) {
-    Stage stage(defineBoat());
-    const Bounds& bounds = stage.scene.bounds;
-    const double awayM = 0.65 * bounds.diagonal() / std::sin(17.5 * kRadPerDeg);
-    for (int deg = azimuthDeg - 60; deg <= azimuthDeg; deg += 4) stage.look(orbitCamera(bounds.center(), awayM, deg, elevationDeg), 300, 200);
+TEST_CASE("in a small viewport few lines give way, while the camera moves and where they have settled") {
+  Stage stage(defineBoat());
+  const Bounds& bounds = stage.scene.bounds;
+  const auto crowded = [&] { return std::ranges::count(stage.layout.hidden, HiddenReason::kCrowded, &HiddenParameter::reason); };
+  std::ptrdiff_t moving = 0, settled = 0, frames = 0, rests = 0;
+  for (int deg = 0; deg < 360; deg += 4) {
+    stage.look(orbitCamera(bounds.center(), 2.2 * bounds.diagonal(), deg, 15), 300, 200);
+    moving += crowded();
+    ++frames;
+    if (deg % 40 != 0) continue;
     stage.placer.placeSettled(stage.layout.view, stage.fields, stage.values, stage.layout);
-    crowded += std::ranges::count_if(stage.layout.hidden, isCrowded);
+    settled += crowded();
+    ++rests;
   }
-  CHECK(crowded < 4 * 5);   // 49 when they do
+  // One is the switch, for which there is no room. When the shortest go until none runs into another it is a dozen in the mean.
+  CHECK(moving < 4 * frames);
+  CHECK(settled < 4 * rests);
 }

@@ -93,7 +93,7 @@ std::ptrdiff_t crowdedIn(const Layout& layout) { return std::ranges::count(layou
 
 }  // namespace
 
-TEST_CASE("who forgets, forgets as well how many lines were too many") {
+TEST_CASE("who forgets, forgets as well which lines were too many") {
   const ModelDefinition definition = boxWithCrossingLines();
   const auto from = [](double azimuth, double elevation) { return orbitCamera({0, 1.5, 0}, 40, azimuth, elevation); };
   Stage fresh(definition);
@@ -113,30 +113,24 @@ TEST_CASE("a line that had to go in a small viewport comes back when there has b
   const auto look = [&](double azimuth, double elevation) { return crowdedIn(stage.look(orbitCamera({0, 1.5, 0}, 40, azimuth, elevation), 240, 160)); };
   const auto crowded = look(25, 20);
   REQUIRE(crowded > 0);
-  for (int frame = 1; frame < kPatienceFrames; ++frame) CHECK(look(3 - 0.1 * frame, 2) == crowded);
+  for (int frame = 0; frame < kPatienceFrames; ++frame) CHECK(look(3 - 0.1 * frame, 2) == crowded);
   CHECK(look(0, 2) < crowded);
   // And not when the room was there for a moment only.
   REQUIRE(look(25, 20) == crowded);
-  for (int frame = 1; frame < kPatienceFrames; ++frame) look(3 - 0.1 * frame, 2);
+  for (int frame = 0; frame < kPatienceFrames; ++frame) look(3 - 0.1 * frame, 2);
   CHECK(look(25, 20) == crowded);
   CHECK(look(3, 2) == crowded);
 }
 
-TEST_CASE("in a viewport that is too small the shortest lines are hidden until none runs into another, and never in one that is not") {
+TEST_CASE("in a viewport that is too small a line that would run into another is hidden, and never in one that is not") {
   Stage stage(boxWithDoor());
-  std::size_t crowded = 0;
+  std::ptrdiff_t crowded = 0;
   for (double azimuth = 0; azimuth < 360; azimuth += 2) {
     for (const auto& [width, height] : {std::pair(240.0, 160.0), std::pair(1000.0, 1000.0)}) {
       const Layout& layout = stage.look(orbitCamera({0, 1.5, 0}, 9, azimuth, 12), width, height);   // so near that lines stay inside
-      double longestHiddenM = 0;
-      for (const HiddenParameter& hidden : layout.hidden) {
-        if (hidden.reason != HiddenReason::kCrowded) continue;
-        CHECK(width < 1000);
-        ++crowded;
-        longestHiddenM = std::max(longestHiddenM, stage.values.at(hidden.parameter));
-      }
-      for (const PlacedLine& line : layout.lines) CHECK(line.lengthM >= longestHiddenM);
-      if (width < 1000 && layout.lines.size() > 2) {
+      if (width == 1000) CHECK(crowdedIn(layout) == 0);
+      crowded += crowdedIn(layout);
+      if (width < 1000) {
         for (std::size_t a = 0; a < layout.lines.size(); ++a) {
           for (std::size_t b = 0; b < a; ++b) CHECK_FALSE(segmentsCross(layout.lines[a].lineScreen, layout.lines[b].lineScreen, kCrossingPx));
         }
