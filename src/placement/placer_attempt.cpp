@@ -83,6 +83,9 @@ void Placer::State::placeAllLines(const FrameToPlace& frame, Layout& layout) {
 /// An arc that stays in its scope's frame: all others keep clear of it.
 bool Placer::State::hasOnePlace(const Measured& other) { return other.annotation.type == HandleType::kAngular && other.annotation.slip == Slip::kNone; }
 
+/// In a smaller viewport a line that would run into another is not shown, and comes back when there has been room for it for a while.
+bool Placer::State::hasRoomForLines(const View& view) const { return view.widthPx() * view.heightPx() > kCrowdedPx2 * (static_cast<double>(editable) - 1); }
+
 /// Lines are bound to their planes; a switch finds a place nearly anywhere, so it takes what they leave, if there is any.
 bool Placer::State::hasRoomForPills(const View& view) const { return view.widthPx() * view.heightPx() >= kPillsCrowdedPx2 * static_cast<double>(editable); }
 
@@ -225,9 +228,6 @@ BaseLineTally Placer::State::scopesOutOfSight(const Measured& measured) const {
   }
   return tally;
 }
-
-/// In a smaller viewport a line that would run into another is not shown, and comes back when there has been room for it for a while.
-bool Placer::State::hasRoomForLines(const View& view) const { return view.widthPx() * view.heightPx() > kCrowdedPx2 * (static_cast<double>(editable) - 1); }
 
 void Placer::State::placeLines(std::size_t rank, const ChoiceContext& context, double value, Layout& layout) {
   Measured& measured = order[rank];

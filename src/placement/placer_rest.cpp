@@ -11,7 +11,7 @@ namespace dimline {
 /// The last that is done where lines settle, and all that is done after an edit.
 void Placer::State::tidy(const FrameToPlace& frame, Layout& layout) {
   const bool settles = std::exchange(kind, {}).settles;
-  if (!settles) beforeAttempts = past;
+  beforeAttempts = past;
   tidyLabels(frame, layout.lines);
   past.labels.note(layout.lines, true);
   FrameToPlace still = frame;
@@ -21,7 +21,6 @@ void Placer::State::tidy(const FrameToPlace& frame, Layout& layout) {
     placeMended(still, false, true, layout);
   };
   if (settles) {
-    beforeAttempts = past;
     keepFromLabels(kLabelClearanceSettledPx);
     for (std::size_t i = 0; i < past.histories.size(); ++i) {   // who has no room by the greater distance looks again by the lesser one
       if (past.histories[i].hiddenForWantOfRoom()) past.histories[i] = beforeAttempts.histories[i];
@@ -31,7 +30,7 @@ void Placer::State::tidy(const FrameToPlace& frame, Layout& layout) {
   keepFromLabels(kLabelClearancePx);
   if (!settles && !std::ranges::equal(past.histories, beforeAttempts.histories, {}, &History::last, &History::last)) {   // after an edit lines keep their places
     past = beforeAttempts;
-    placeMended(still, false, true, layout);
+    keepFromLabels(kLabelClearancePx);
   }
   kind.settles = true;
   placeInBestOrder(still, layout);

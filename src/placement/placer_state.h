@@ -116,7 +116,7 @@ struct Placer::State {
   Outcome bestOutcome;
   Layout bestLayout;
   Occupied bestOccupied;              ///< without the model
-  Past beforeAttempts;
+  Past beforeAttempts;                ///< or what the last step of settling begins with
 
   // Memory of one frame, kept so that the next allocates nothing.
   Occupied occupied;
@@ -171,6 +171,7 @@ struct Placer::State {
   void goOnFromBest(std::size_t turn, Layout& layout);
   void placeFrom(std::size_t firstTurn, const FrameToPlace& frame, Layout& layout);
   [[nodiscard]] static bool hasOnePlace(const Measured& other);
+  [[nodiscard]] bool hasRoomForLines(const View& view) const;
   [[nodiscard]] bool hasRoomForPills(const View& view) const;
   void placeBesideLines(const FrameToPlace& frame, Layout& layout);
   void placeAllHidden(const FrameToPlace& frame, Layout& layout);
@@ -178,7 +179,6 @@ struct Placer::State {
   [[nodiscard]] ChoiceContext contextOf(const FrameToPlace& frame, const ObjectPlanesInFrame& object, const Measured& measured, const Identity* avoid);
   [[nodiscard]] std::span<const char> usableScopes(const Measured& measured) const;
   [[nodiscard]] BaseLineTally scopesOutOfSight(const Measured& measured) const;
-  [[nodiscard]] bool hasRoomForLines(const View& view) const;
   void placeLines(std::size_t rank, const ChoiceContext& context, double value, Layout& layout);
   void noteChoice(const Measured& measured);
   void judgeChoice(std::size_t rank, const History& history);

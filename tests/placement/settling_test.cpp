@@ -43,6 +43,12 @@ struct TurnedStage : Stage {
     while (!placer.settled() && ++steps < 20);
     return layout;
   }
+  void edit() {
+    values.set(0, 1.1 * values.at(0));
+    rebuild();
+  }
+  /// A frame of the same view in which a line is held. A copy: the layout is placed anew.
+  void hold(PlacedLine line) { placer.place(layout.view, fields, values, layout, nullptr, std::span(&line, 1)); }
 };
 
 }  // namespace
@@ -123,14 +129,10 @@ TEST_CASE("settling that is broken off leaves nothing behind") {
   const auto moveOn = [](TurnedStage& stage) { stage.look(turned(76)); };
   const auto stay = [](TurnedStage& stage) { stage.look(turned(75)); };
   const auto edit = [](TurnedStage& stage) {
-    stage.values.set(0, 1.1 * stage.values.at(0));
-    stage.rebuild();
+    stage.edit();
     stage.look(turned(75));
   };
-  const auto hold = [](TurnedStage& stage) {
-    const PlacedLine held = stage.layout.lines.front();
-    stage.placer.place(stage.layout.view, stage.fields, stage.values, stage.layout, nullptr, std::span(&held, 1));
-  };
+  const auto hold = [](TurnedStage& stage) { stage.hold(stage.layout.lines.front()); };
   const auto recall = [](TurnedStage& stage) {
     stage.placer.recall(stage.placer.memory());
     stage.look(turned(76));
@@ -167,17 +169,15 @@ TEST_CASE("the movement's last frame may be the first in which the lines settle"
 TEST_CASE("nothing settles while a line is held: who holds it takes the picture as it is") {
   TurnedStage stage(60);
   const std::vector<PlacedLine> before = stage.layout.lines;
-  const PlacedLine held = before.front();
   stage.placer.settle();
-  stage.placer.place(stage.layout.view, stage.fields, stage.values, stage.layout, nullptr, std::span(&held, 1));
+  stage.hold(before.front());
   CHECK(changes(before, stage.layout.lines) == 0);
   CHECK(stage.placer.settled());
 }
 
 TEST_CASE("a frame of another scene does not settle; it is for the next one to be told") {
   TurnedStage stage(60);
-  stage.values.set(0, 1.1 * stage.values.at(0));
-  stage.rebuild();
+  stage.edit();
   stage.step(60);
   CHECK_FALSE(stage.placer.settled());
   stage.settle(60);
@@ -187,8 +187,7 @@ TEST_CASE("a frame of another scene does not settle; it is for the next one to b
 TEST_CASE("after an edit of what has settled one frame lays out its labels, and its lines stay on their edges") {
   TurnedStage stage(60);
   stage.settle(60);
-  stage.values.set(0, 1.1 * stage.values.at(0));
-  stage.rebuild();
+  stage.edit();
   stage.look(turned(60));
   CHECK_FALSE(stage.placer.settled());
   const std::vector<PlacedLine> edited = stage.layout.lines;
@@ -203,14 +202,12 @@ TEST_CASE("what is edited in the hand is laid out when it is let go of, and not 
   TurnedStage stage(60);
   stage.settle(60);
   const auto placeHeld = [&] {
-    const PlacedLine held = stage.layout.lines.front();
     stage.placer.settle();
-    stage.placer.place(stage.layout.view, stage.fields, stage.values, stage.layout, nullptr, std::span(&held, 1));
+    stage.hold(stage.layout.lines.front());
   };
   placeHeld();
   CHECK(stage.placer.settled());   // a hand that changes nothing leaves nothing to be done
-  stage.values.set(0, 1.1 * stage.values.at(0));
-  stage.rebuild();
+  stage.edit();
   for (int frame = 0; frame < 3; ++frame) {
     placeHeld();
     CHECK_FALSE(stage.placer.settled());
@@ -226,7 +223,7 @@ TEST_CASE("a hand that changes nothing leaves nothing to be done, though fields 
   stage.settle(60);
   const PlacedLine held = stage.layout.lines.front();
   for (int frame = 0; frame < 2; ++frame) {
-    stage.placer.place(stage.layout.view, stage.fields, stage.values, stage.layout, nullptr, std::span(&held, 1));
+    stage.hold(held);
     stage.placer.awaitFields();
   }
   stage.look(turned(60));
