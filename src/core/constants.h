@@ -167,9 +167,11 @@ inline constexpr int kRoundsSettling = 4;
 /// Moved frames after which any line may look for a better place, though nothing is amiss with it.
 inline constexpr int kFramesToLookAround = 3;
 
-/// Moved frames on end for which a switch or a choice that had no room or was inside the model, a line not in plain view that gave way to others, one that had to go in a small viewport, or one that could come out to an object plane, must have had
+/// Moved frames on end for which a switch or a choice that had no room or was inside the model, a line not in plain view that gave way to others, or one that could come out to an object plane, must have had
 /// a better kind of place before it takes it. Fewer: it comes and goes where there is hardly any room, as in a view from near by. More: it is still missing when the movement ends.
 inline constexpr int kPatienceFrames = 15;
+/// The same for a line that gave way in a small viewport, where room is what others leave for the moment. Fewer: lines come back to be gone again. More: fewer lines are shown until the movement ends.
+inline constexpr int kPatienceSmallViewportFrames = 30;
 /// Moved frames for which a line inside the model that is not in plain view stays where it has come, though it runs across another's extension line: more than a change that is taken back lasts. Fewer: some are shown
 /// for a moment only. More: they run across extension lines for longer.
 inline constexpr int kPartlySeenStaysFrames = 16;

@@ -202,7 +202,7 @@ bool Chooser::chooseInside(const CandidateContext& candidates, const ChoiceConte
   const bool anew = history.shownAnew();
   const auto rank = [&](const Candidate& c) { return std::tuple(!landed.runsInto(c.lineScreen), anew && context.inPlainView(c.scope), c.score); };
   const auto best = std::ranges::max_element(candidates_, {}, rank);
-  cramped_ = landed.runsInto(best->lineScreen);
+  cramped_ = landed.runsInto(best->lineScreen) || landed.coversLabel(best->lineScreen);
   winner_ = *best;
   winnerLines_.clear();
   winnerLines_.push_back(chosenLine(winner_));

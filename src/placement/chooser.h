@@ -28,7 +28,7 @@ class Chooser {
     bool nestsWrongly = false;
   };
   [[nodiscard]] Worth worth(const Landed& landed);
-  /// Whether the choice is a base line that runs into a line that has landed, or all that could have been would have.
+  /// Whether the choice is a base line that runs into a line or a label that has landed, or all that could have been would have.
   [[nodiscard]] bool cramped() const { return cramped_; }
   [[nodiscard]] const BaseLineTally& tally() const { return tally_; }
 

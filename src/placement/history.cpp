@@ -10,6 +10,7 @@ namespace {
 constexpr double kStillPx = 0.01;
 
 static_assert(kSingleStaysZooming >= kReturnFrames, "framesHeld() counts no further");
+static_assert(kPatienceSmallViewportFrames >= kPatienceFrames, "what is better is counted no further");
 
 }  // namespace
 
@@ -37,7 +38,7 @@ double History::relaxedOffsetM(double leastM, double stepM) const {
 void History::age() {
   aged_ = true;
   framesHeld_ = std::min(framesHeld_ + 1, kSingleStaysZooming);
-  betterFrames_ = betterThere_ ? std::min(betterFrames_ + 1, kReturnFrames) : 0;
+  betterFrames_ = betterThere_ ? std::min(betterFrames_ + 1, kPatienceSmallViewportFrames) : 0;
   betterThere_ = false;
   for (Left& left : left_) left.framesAgo = std::min(left.framesAgo + 1, kReturnFrames);
 }

@@ -54,10 +54,10 @@ class History {
     awayPx_.reset();
   }
   /// A better kind of place is there than the last frame's: one outside the model for what was inside, any for what had no room. Returns whether one has been there for
-  /// kPatienceFrames moved frames on end.
-  bool betterIsThere() {
+  /// `patienceFrames` moved frames on end.
+  bool betterIsThere(int patienceFrames = kPatienceFrames) {
     betterThere_ = true;
-    return betterFrames_ >= kPatienceFrames;
+    return betterFrames_ >= patienceFrames;
   }
   /// This frame's choice was found better than another place, and need not be looked at again for a while.
   void prefer() { framesHeld_ = 0; }
@@ -95,7 +95,7 @@ class History {
   bool forWantOfRoom_ = false;
   int framesHeld_ = 0;
   bool betterThere_ = false;          ///< in this frame
-  int betterFrames_ = 0;              ///< moved frames on end before this one
+  int betterFrames_ = 0;              ///< moved frames on end before this one; counts to kPatienceSmallViewportFrames
   std::optional<Segment2> awayPx_;    ///< of the last choice from its base line; nothing when the model has changed since
   bool aged_ = false;                 ///< since the last choice
   double offsetM_ = -1;               ///< of the last choice; negative when it is not known

@@ -238,7 +238,8 @@ void Placer::State::placeLines(std::size_t rank, const ChoiceContext& context, d
   const bool comes = history.hiddenForWantOfRoom() || (history.hidden() && chooser.winner().placement == PlacementKind::kInside);
   const bool mayGiveWay = found && !showAll && !hasRoomForLines(context.view);
   const bool givesWay = mayGiveWay && chooser.cramped(), gaveWay = mayGiveWay && history.hiddenForWantOfRoom();
-  const bool waits = found && !givesWay && patient() && comes && (gaveWay || !context.inPlainView(chooser.winner().scope)) && !history.betterIsThere();
+  const int patienceFrames = gaveWay ? kPatienceSmallViewportFrames : kPatienceFrames;
+  const bool waits = found && !givesWay && patient() && comes && (gaveWay || !context.inPlainView(chooser.winner().scope)) && !history.betterIsThere(patienceFrames);
   if (!found || givesWay || waits) {
     BaseLineTally tally = scopesOutOfSight(measured);
     tally.add(chooser.tally());
