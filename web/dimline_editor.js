@@ -316,14 +316,16 @@ export class DimlineEditor extends Base {
     if (!this.#listening) this.#start();
   }
 
-  // What a page has set before this class was known lies before its accessors.
+  // What a page has set before this class was known lies before its accessors. Some of it needs the core.
   #upgradeProperties() {
-    for (const name of ["model", "coreUrl", "initialValues", "linesShown", "measuresShown", "hiddenShown"]) {
-      if (!Object.hasOwn(this, name)) continue;
+    const upgrade = (name, set) => {
+      if (!Object.hasOwn(this, name)) return;
       const value = this[name];
       delete this[name];
-      this[name] = value;
-    }
+      set(() => (this[name] = value));
+    };
+    for (const name of ["model", "coreUrl", "initialValues", "linesShown", "measuresShown", "hiddenShown"]) upgrade(name, (assign) => assign());
+    for (const name of ["orthographic", "fieldsFrom"]) upgrade(name, (assign) => this.ready.then(assign, () => {}));
   }
 
   // Another document, as of a frame: style sheets, fonts and listeners belong to the one before.

@@ -230,9 +230,15 @@ function makeNumber(parameter, id, helpId, host) {
     host.refresh(name);
     problem.textContent = beyondSentence(parameter, value, host.mark());
   };
+  let before = parameter.value;
+  range.addEventListener("pointerdown", () => (before = now.value));
   range.addEventListener("input", () => host.slide(name, range.valueAsNumber));
   range.addEventListener("change", () => host.endSlide());
-  range.addEventListener("pointercancel", () => host.endSlide());
+  // A finger that came down on the slider scrolls the panel: nothing was meant to change.
+  range.addEventListener("pointercancel", () => {
+    if (now.value !== before) host.slide(name, before);
+    host.endSlide();
+  });
   input.addEventListener("change", take);
   input.addEventListener("keydown", (event) => {
     if (event.key === "Enter") {

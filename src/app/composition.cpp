@@ -71,6 +71,14 @@ Camera composed(const View& view, const DistanceFields& fields, const Scene& sce
   return centred(layout, fields);
 }
 
+Camera lookingAlong(const Vec3& direction, const View& view) {
+  Camera camera = view.camera();
+  const Vec3 forward = view.right() * direction.x + view.up() * direction.y + view.forward() * direction.z;
+  const auto level = [&](const Vec3& v) { return v - camera.up * (glm::dot(v, camera.up) / glm::dot(camera.up, camera.up)); };
+  if (glm::dot(level(forward), level(view.forward())) > 0) camera.target = camera.eye + forward * glm::length(camera.target - camera.eye);
+  return camera;
+}
+
 Camera uncentred(const View& view, const Bounds& bounds) {
   Camera camera = view.camera();
   if (!mayTurn(view) || bounds.empty() || !view.inFrontOfNear(bounds.center())) return camera;

@@ -19,7 +19,10 @@ Camera centred(const Layout& layout, const DistanceFields& fields);
 /// centred is what will be seen.
 Camera composed(const View& view, const DistanceFields& fields, const Scene& scene, const Values& values, Placer& placer);
 
-/// Takes back what centred() may have done to a camera that looked at the middle of `bounds`, so that fitting it again leads to the same view. Cameras that
+/// The view's camera, but looking along a direction that is given in its own right, up and forward, as before centred(); as it looks when that one lies beyond the zenith, where left and right change places.
+Camera lookingAlong(const Vec3& direction, const View& view);
+
+/// For a camera of which nothing else is known: takes back what centred() may have done to a camera that looked at the middle of `bounds`, so that fitting it again leads to the same view. Cameras that
 /// look elsewhere stay as they are.
 Camera uncentred(const View& view, const Bounds& bounds);
 

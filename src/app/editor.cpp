@@ -235,6 +235,7 @@ Status Editor::setCamera(const Camera& camera) {
   State& s = *state_;
   if (Status status = validate(camera); !status) return status;
   s.cameraGesture.reset();
+  if (camera != s.camera) s.fittedAlong.reset();
   s.moveCamera(camera);
   return okStatus();
 }
@@ -242,22 +243,25 @@ Status Editor::setCamera(const Camera& camera) {
 void Editor::fitToView() {
   State& s = *state_;
   if (!s.loaded) return;
+  if (s.sceneStale) s.rebuild();
   s.cameraGesture.reset();
   const double width = std::max(s.widthPx, 1.0), height = std::max(s.heightPx, 1.0);
-  const Camera camera = uncentred(View(s.camera, width, height, s.scene.bounds), s.scene.bounds);
+  const View view(s.camera, width, height, s.scene.bounds);
+  const Camera camera = s.fittedAlong ? lookingAlong(*s.fittedAlong, view) : uncentred(view, s.scene.bounds);
   s.moveCamera(dimline::fitToView(camera, s.scene.bounds, width, height));
-  s.compositionDue = true;
+  s.fitted();
 }
 
 void Editor::setStandardView(StandardView view) {
   State& s = *state_;
   if (!s.loaded) return;
+  if (s.sceneStale) s.rebuild();
   s.cameraGesture.reset();
   Camera camera = s.camera;
   camera.up = {0, 1, 0};
   camera.eye = camera.target + directionOf(view);
   s.moveCamera(dimline::fitToView(camera, s.scene.bounds, std::max(s.widthPx, 1.0), std::max(s.heightPx, 1.0)));
-  s.compositionDue = true;
+  s.fitted();
 }
 
 void Editor::setOrthographic(bool orthographic) {
@@ -292,9 +296,15 @@ void Editor::State::openingCamera() {
   camera = threeQuarterView(scene.bounds, hasSize() ? width : 1.0, hasSize() ? height : 1.0);
   if (orthographic) camera = dimline::fitToView(withProjection(camera, true), scene.bounds, width, height);
   cameraUntouched = true;
-  compositionDue = true;
+  fitted();
   viewStale = true;
   notify(EditorEvent::kCameraChange);
+}
+
+/// The camera stands as the model alone would have it, and looks where it was meant to.
+void Editor::State::fitted() {
+  compositionDue = true;
+  fittedAlong = Vec3(0, 0, 1);
 }
 
 /// Centres the picture with its lines.
@@ -309,6 +319,8 @@ void Editor::State::compose() {
   settlesAtOnce = true;
   if (next == camera) return;
   camera = next;
+  const View now = currentView();
+  fittedAlong = Vec3(glm::dot(view.forward(), now.right()), glm::dot(view.forward(), now.up()), glm::dot(view.forward(), now.forward()));
   viewStale = true;
   notify(EditorEvent::kCameraChange);
 }

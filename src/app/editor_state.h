@@ -75,6 +75,7 @@ struct Editor::State {
   Camera camera;
   bool cameraUntouched = true;  ///< nobody chose it: it is fitted anew when the viewport gets its size
   bool compositionDue = false;  ///< it was fitted to the model alone; the lines come into it with the next frame
+  std::optional<Vec3> fittedAlong;  ///< where it looked before its picture was centred, in its own right, up and forward; nothing of one that a host set
   bool settlesAtOnce = false;   ///< the lines came into the picture with it, and are to find their places there without delay
   bool viewStale = true;        ///< camera, viewport or scene changed since fields were asked for
 
@@ -141,6 +142,7 @@ struct Editor::State {
   void finishEdits();
   void moveCamera(const Camera& next);
   void openingCamera();
+  void fitted();
   void compose();
   void takeModel(Model next);
   void placeAnew();

@@ -92,7 +92,7 @@ inline constexpr double kSameLinePx = 1.5;
 inline constexpr double kExtensionAsidePx = 4.0;
 
 /// px2 of viewport for each parameter, from which on all lines are shown, however much in each other's way.
-/// Below it one that would run into another is hidden.
+/// Below it one that would run into another, or through a number, is hidden: that which is placed later, mostly the longer one. To hide the shortest until none is in another's way takes many that are in nobody's.
 inline constexpr double kCrowdedPx2 = 20000.0;
 /// px2 of viewport for each parameter, below which no switch and no choice is shown: one covers 3,000, and more than half of it lies on the model.
 inline constexpr double kPillsCrowdedPx2 = 8000.0;
@@ -170,7 +170,7 @@ inline constexpr int kFramesToLookAround = 3;
 /// Moved frames on end for which a switch or a choice that had no room or was inside the model, a line not in plain view that gave way to others, or one that could come out to an object plane, must have had
 /// a better kind of place before it takes it. Fewer: it comes and goes where there is hardly any room, as in a view from near by. More: it is still missing when the movement ends.
 inline constexpr int kPatienceFrames = 15;
-/// The same for a line that gave way in a small viewport, where room is what others leave for the moment. Fewer: lines come back to be gone again. More: fewer lines are shown until the movement ends.
+/// The same for any line that had no room, or gave way, in a small viewport, where room is what others leave for the moment. Fewer: lines come back to be gone again. More: fewer lines are shown until the movement ends.
 inline constexpr int kPatienceSmallViewportFrames = 30;
 /// Moved frames for which a line inside the model that is not in plain view stays where it has come, though it runs across another's extension line: more than a change that is taken back lasts. Fewer: some are shown
 /// for a moment only. More: they run across extension lines for longer.

@@ -26,8 +26,9 @@ struct Frame {
 /// An up that points along the view says nothing; then the world axis that is most at right angles to the view stands in.
 Frame frameOf(const Camera& camera) {
   const Vec3 forward = glm::normalize(camera.target - camera.eye);
-  Vec3 side = glm::cross(forward, camera.up);
-  if (!(glm::length(side) > 1e-9 * glm::length(camera.up))) {
+  const Vec3 up = camera.up / std::max({std::abs(camera.up.x), std::abs(camera.up.y), std::abs(camera.up.z)});   // of any length, the square of which may be none
+  Vec3 side = glm::cross(forward, up);
+  if (!(glm::length(side) > 1e-9 * glm::length(up))) {
     side = glm::cross(forward, std::abs(forward.y) > 0.9 ? Vec3(0, 0, -1) : Vec3(0, 1, 0));
   }
   const Vec3 right = glm::normalize(side);

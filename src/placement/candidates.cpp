@@ -223,12 +223,15 @@ void gatherBaseLines(const Annotation& annotation, const Scope& scope, std::size
 }
 
 void gatherChainBaseLines(const Cluster& cluster, std::int32_t number, const View& view, std::span<const char> usable, std::vector<UsableBaseLine>& lines) {
-  const auto hidden = std::ranges::count_if(cluster.members, [&](const ChainMember& member) { return usable[member.scope] == 0; });
+  const auto isUsable = [&](const ChainMember& member) { return usable[member.scope] != 0; };
+  const auto hidden = static_cast<std::ptrdiff_t>(cluster.members.size()) - std::ranges::count_if(cluster.members, isUsable);
+  const auto first = std::ranges::find_if(cluster.members, isUsable);
+  if (first == cluster.members.end()) return;
   for (const int side : {0, 1}) {
     const BaseLine line = chainBaseLine(cluster, side);
     if (!view.inFrontOfNear(line.segment)) continue;
     if (foreshortened(line.segment, view, std::cos(kForeshortenedAngleRad))) continue;
-    lines.push_back({.scope = cluster.members.front().scope,
+    lines.push_back({.scope = first->scope,
                      .scopeIndex = -1,
                      .cluster = number,
                      .line = line,
@@ -241,7 +244,7 @@ void gatherGuideCandidates(const CandidateContext& context, const UsableBaseLine
   if (context.guides.size() == 0) return;
   const Vec3 along = glm::normalize(base.line.segment.end - base.line.segment.start);
   forEachSlip(context, base, [&](const Candidate& slipping) {
-    if (context.history.leftLately(slipping.identity)) return;
+    if (context.history.leftLately(slipping.identity)) return;   // a guide comes before all other places (algorithm 1), so a price would not keep it from being gone back to
     for (std::size_t i = 0; i < context.guides.size(); ++i) {
       const Guide& guide = context.guides[i];
       if (!liesOn(guide, slipping.plane.plane, along, context.toleranceM)) continue;

@@ -16,7 +16,7 @@ namespace dimline {
 
 /// A base line that can be used in this frame: of one scope, or of a chain.
 struct UsableBaseLine {
-  std::size_t scope = 0;          ///< index into Scene::scopes; of a chain, its first member's
+  std::size_t scope = 0;          ///< index into Scene::scopes; of a chain, that of its first member that may carry a line
   std::int32_t scopeIndex = -1;   ///< among the scopes of that name; -1 for a chain
   std::int32_t cluster = -1;      ///< of a chain
   BaseLine line;
@@ -97,12 +97,12 @@ bool isBehindModel(const CandidateContext& context, const UsableBaseLine& base);
 void gatherBaseLines(const Annotation& annotation, const Scope& scope, std::size_t scopeNumber, const View& view, double factor,
                      std::vector<UsableBaseLine>& lines, BaseLineTally& tally);
 
-/// Adds the two chain base lines of a cluster, as far as they can be used. A chain's own length says nothing about its members', so the least length is
+/// Adds the two chain base lines of a cluster, as far as they can be used, and any member can. A chain's own length says nothing about its members', so the least length is
 /// left to them. `usable`: one a scope, whether it may carry a line in this frame.
 void gatherChainBaseLines(const Cluster& cluster, std::int32_t number, const View& view, std::span<const char> usable, std::vector<UsableBaseLine>& lines);
 
 /// Adds the candidates of a base line on the guides that lie on its planes and leave the model's padded silhouette clear (algorithm 1, lines 6 and 7).
-/// Whether the stretch is free is for the caller to see.
+/// Whether the stretch is free is for the caller to see. Beyond the paper: none is gone back to that was left within kReturnFrames.
 void gatherGuideCandidates(const CandidateContext& context, const UsableBaseLine& base, std::vector<Candidate>& candidates);
 
 /// Adds the candidates of a base line outside the silhouette, up to two a plane (paper 4.1): slid to the least offset that clears the padded fields,

@@ -36,7 +36,9 @@ bool Chooser::choose(const Measured& measured, const ChoiceContext& context, His
   const Outside outside = chooseOutside(measured, candidates, context, context.patient && history.wasInside() ? &history : nullptr);
   if (outside == Outside::kFound || chooseInside(candidates, context)) return true;
   // What has no room inside any more cannot wait there.
-  return outside == Outside::kWaits && chooseOutside(measured, candidates, context, nullptr) == Outside::kFound;
+  const bool found = outside == Outside::kWaits && chooseOutside(measured, candidates, context, nullptr) == Outside::kFound;
+  if (found) cramped_ = false;
+  return found;
 }
 
 /// A place outside for a chain or for a single line. `waits`: the history of a line inside that may have to wait there.
@@ -147,7 +149,7 @@ bool Chooser::chooseBest(const Measured& measured, const ChoiceContext& context,
       }
       // Its label may have pushed it to where it runs into more.
       if (candidate.lineScreen.start != triedAt.start) among = inPlace();
-      if (trial_.lines().size() > 1) trial_.addMembers(among, context);
+      if (candidate.identity.chain >= 0) trial_.addMembers(among, context);
       trial_.pushClear(candidate, among, measured, context, history);
       if (among.landed.extensions && !mayCross(candidate)) continue;
       const double wish = among.score + forLabels(among);
@@ -180,18 +182,21 @@ bool Chooser::chooseInside(const CandidateContext& candidates, const ChoiceConte
     if (stays && history.framesHeld() < kPartlySeenStaysFrames) return true;
     return !landed.crossesExtension(base.screen) && (stays || !isBehindModel(candidates, base));
   };
+  bool keptOff = false;
   candidates_.clear();
   for (const UsableBaseLine& base : bases_) {
     const Obb& scope = context.scopes[base.scope].box;
     const bool stays = history.wasInside() && sameBaseLine(base, history.last());
     const bool plain = context.inPlainView(base.scope, stays);
-    if (plain || context.showAll || isFree(base, stays)) gatherInsideCandidate(candidates, base, scope, plain, candidates_);
-    else ++(wholeInView(context.view, scope) ? tally_.occluded : tally_.outOfView);
+    if (plain || context.showAll || isFree(base, stays)) {
+      gatherInsideCandidate(candidates, base, scope, plain, candidates_);
+    } else {
+      ++(wholeInView(context.view, scope) ? tally_.occluded : tally_.outOfView);
+      keptOff = true;
+    }
   }
-  if (candidates_.empty()) {
-    cramped_ = true;
-    return false;
-  }
+  cramped_ = keptOff;
+  if (candidates_.empty()) return false;
   for (Candidate& c : candidates_) {
     const Landed::Crossings across = landed.crossings(c.baseScreen, c.baseScreen, c.lineScreen);
     c.score += (across.extensions ? kScoreAmissInside : 0.0) + (across.labels ? kScoreAmissInside : 0.0);

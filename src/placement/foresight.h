@@ -33,7 +33,7 @@ class Foresight {
   /// What the movement will do to a place.
   struct Prospect {
     double price = 0;          ///< px, to be added to the place's score
-    bool brief = false;        ///< outside the model: it has no room any more before the view has turned by kForesightRad or zoomed by kBriefZoom
+    bool brief = false;        ///< outside the model: it has no room any more, or its feature has turned away, before the view has turned by kForesightRad or zoomed by kBriefZoom
     bool shortSoon = false;    ///< while the camera goes away: it is too short to be shown so soon that it is not worth being shown anew (kLooksAtLastMomentsShort)
     bool lastMoments = false;  ///< while the camera comes nearer or goes away: there is room for it so briefly that it is not worth being begun (kLooksAtLastMoments)
   };

@@ -23,6 +23,8 @@ bool sameScope(const Scope& a, const Scope& b) {
   return a.name == b.name && a.index == b.index && a.box.origin == b.box.origin && a.box.axes == b.box.axes && a.box.size == b.box.size;
 }
 
+bool sameHandle(const Parameter& a, const Parameter& b) { return a.name == b.name && a.annotation == b.annotation; }
+
 /// An edit that changes the model's bounds gives another picture, but moves no camera.
 bool sameCamera(const View& a, const View& b) { return a.camera() == b.camera() && a.widthPx() == b.widthPx() && a.heightPx() == b.heightPx(); }
 
@@ -113,7 +115,7 @@ void Placer::setScene(const Model& model, const Scene& scene) {
   // With measures a model has more parameters, and without them fewer; those that it has in both cases keep their places.
   const std::span<const Parameter> parameters(model.parameters().begin(), model.parameters().end());
   const std::size_t common = std::min(s.parameters.size(), parameters.size());
-  const bool sameModel = common > 0 && std::ranges::equal(std::span(s.parameters).first(common), parameters.first(common), {}, &Parameter::name, &Parameter::name) &&
+  const bool sameModel = common > 0 && std::ranges::equal(std::span(s.parameters).first(common), parameters.first(common), sameHandle) &&
                          std::ranges::all_of(std::span(s.parameters).subspan(common), &Parameter::measure) &&
                          std::ranges::all_of(parameters.subspan(common), &Parameter::measure);
   // A measure's own scope comes after all others.
@@ -133,7 +135,7 @@ void Placer::setScene(const Model& model, const Scene& scene) {
   if (edited) {
     s.forgetOffsets();
     s.past.sceneChanged = true;
-    if (s.past.rest == Rest::kSettled) s.past.rest = Rest::kEdited;
+    if (s.past.view && s.past.rest == Rest::kSettled) s.past.rest = Rest::kEdited;
   }
   const std::vector<Measured> before = std::exchange(s.order, {});
   s.others.clear();

@@ -83,8 +83,8 @@ void Placer::State::placeAllLines(const FrameToPlace& frame, Layout& layout) {
 /// An arc that stays in its scope's frame: all others keep clear of it.
 bool Placer::State::hasOnePlace(const Measured& other) { return other.annotation.type == HandleType::kAngular && other.annotation.slip == Slip::kNone; }
 
-/// In a smaller viewport a line that would run into another is not shown, and comes back when there has been room for it for a while.
-bool Placer::State::hasRoomForLines(const View& view) const { return view.widthPx() * view.heightPx() > kCrowdedPx2 * (static_cast<double>(editable) - 1); }
+/// In a smaller viewport a line that would run into another, or through a number, is not shown, and comes back when there has been room for it for a while.
+bool Placer::State::hasRoomForLines(const View& view) const { return view.widthPx() * view.heightPx() >= kCrowdedPx2 * static_cast<double>(editable); }
 
 /// Lines are bound to their planes; a switch finds a place nearly anywhere, so it takes what they leave, if there is any.
 bool Placer::State::hasRoomForPills(const View& view) const { return view.widthPx() * view.heightPx() >= kPillsCrowdedPx2 * static_cast<double>(editable); }
@@ -237,13 +237,15 @@ void Placer::State::placeLines(std::size_t rank, const ChoiceContext& context, d
   // A line of what is not in plain view comes, inside the model, or comes back after it gave way to others, when it has had a place for a while: it may have one for a moment only.
   const bool comes = history.hiddenForWantOfRoom() || (history.hidden() && chooser.winner().placement == PlacementKind::kInside);
   const bool mayGiveWay = found && !showAll && !hasRoomForLines(context.view);
-  const bool givesWay = mayGiveWay && chooser.cramped(), gaveWay = mayGiveWay && history.hiddenForWantOfRoom();
-  const int patienceFrames = gaveWay ? kPatienceSmallViewportFrames : kPatienceFrames;
-  const bool waits = found && !givesWay && patient() && comes && (gaveWay || !context.inPlainView(chooser.winner().scope)) && !history.betterIsThere(patienceFrames);
+  const bool givesWay = mayGiveWay && chooser.cramped(), hadNoRoom = mayGiveWay && history.hiddenForWantOfRoom();
+  const int patienceFrames = hadNoRoom ? kPatienceSmallViewportFrames : kPatienceFrames;
+  const bool waits = found && !givesWay && patient() && comes && (hadNoRoom || !context.inPlainView(chooser.winner().scope)) && !history.betterIsThere(patienceFrames);
   if (!found || givesWay || waits) {
     BaseLineTally tally = scopesOutOfSight(measured);
     tally.add(chooser.tally());
-    layout.hidden.push_back({measured.parameter, givesWay || gaveWay ? HiddenReason::kCrowded : reasonFor(tally, !measured.scopes.empty())});
+    // Who waits is not in plain view, or had no room.
+    const auto waitsFor = [&] { return wholeInView(context.view, scopes[chooser.winner().scope].box) ? HiddenReason::kOccluded : HiddenReason::kOutOfView; };
+    layout.hidden.push_back({measured.parameter, givesWay || hadNoRoom ? HiddenReason::kCrowded : waits ? waitsFor() : reasonFor(tally, !measured.scopes.empty())});
     const bool forWantOfRoom = waits || chooser.cramped();
     if (forWantOfRoom) judgeHidden(history);
     history.choseNone(forWantOfRoom);

@@ -116,7 +116,7 @@ struct Placer::State {
   Outcome bestOutcome;
   Layout bestLayout;
   Occupied bestOccupied;              ///< without the model
-  Past beforeAttempts;                ///< or what the last step of settling begins with
+  Past beforeAttempts;                ///< or what tidying begins with
 
   // Memory of one frame, kept so that the next allocates nothing.
   Occupied occupied;

@@ -14,13 +14,13 @@ namespace {
 
 enum class Clear { kYes, kNotYet, kNoRoom };
 
-/// How far out (px) a line must be pushed to be clear, by trial: in steps of kLabelPushStepPx as far as there is room, then halving the last one. 0 when it never is. `tryAt(px)` says what
+/// How far out (px) a line must be pushed to be clear, by trial: in so many steps of kLabelPushStepPx as far as there is room, then halving the last one. 0 when it never is. `tryAt(px)` says what
 /// is so at a distance.
 template <typename TryAt>
-double leastClear(TryAt tryAt) {
+double leastClear(int steps, TryAt tryAt) {
   double tangledPx = 0;
   double clearPx = 0;
-  for (int step = 1; step <= kClearingSteps && clearPx == 0; ++step) {
+  for (int step = 1; step <= steps && clearPx == 0; ++step) {
     const Clear found = tryAt(step * kLabelPushStepPx);
     if (found == Clear::kNoRoom) return 0;
     (found == Clear::kYes ? clearPx : tangledPx) = step * kLabelPushStepPx;
@@ -88,7 +88,7 @@ void Trial::pushClear(Candidate& candidate, AmongOthers& among, const Measured& 
   const auto look = [&] {
     if (!expand(pushed, measured, context)) return false;
     amongThere = amongOthers(pushed, measured, context, -std::numeric_limits<double>::infinity());
-    if (lines_.size() > 1) addMembers(amongThere, context);
+    if (pushed.identity.chain >= 0) addMembers(amongThere, context);
     return true;
   };
   const auto push = [&](double byPx) {
@@ -99,13 +99,20 @@ void Trial::pushClear(Candidate& candidate, AmongOthers& among, const Measured& 
     return !(among.landed.extensions && amongThere.landed.extensions) && !(among.crossesAhead && amongThere.crossesAhead) &&
            placeLabels(pushed, measured, context);
   };
-  const double clearPx = leastClear([&](double byPx) { return push(byPx) ? clear() ? Clear::kYes : Clear::kNotYet : Clear::kNoRoom; });
+  const double clearPx = leastClear(kClearingSteps, [&](double byPx) { return push(byPx) ? clear() ? Clear::kYes : Clear::kNotYet : Clear::kNoRoom; });
   const auto goThere = [&] {
     if (clearPx == 0 || !push(clearPx) || (!last && amongThere.score <= among.score)) return false;
     if (pushed.offsetM > mostM && !(pushTo(pushed, mostM, context.view) && look())) return false;
     return placeLabels(pushed, measured, context);
   };
-  if (goThere()) {
+  // What is ahead goes out of its way in turn, and back: the last frame's line comes no nearer until it is clear, or both would go to and fro.
+  const auto stayThere = [&] {
+    const double thereM = history.mostOffsetM(0);
+    if (!last || among.landed.extensions || thereM <= candidate.offsetM || thereM > candidate.leastM * kMostClearedRatio) return false;
+    pushed = candidate;
+    return pushTo(pushed, thereM, context.view) && look() && placeLabels(pushed, measured, context);
+  };
+  if (goThere() || stayThere()) {
     candidate = pushed;
     among = amongThere;
     return;
@@ -155,12 +162,19 @@ bool Trial::expandChain(const Candidate& candidate, const Measured& measured, co
 }
 
 bool Trial::settle(Candidate& candidate, const Measured& measured, const ChoiceContext& context) {
-  for (int step = 0; step <= kLabelPushSteps; ++step) {
-    if (step > 0 && !pushOutward(candidate, kLabelPushStepPx, context.view)) return false;
-    if (!expand(candidate, measured, context)) return false;
-    if (placeLabels(candidate, measured, context)) return true;
-  }
-  return false;
+  if (!expand(candidate, measured, context)) return false;
+  if (placeLabels(candidate, measured, context)) return true;
+  Candidate pushed;
+  const auto tryAt = [&](double byPx) {
+    pushed = candidate;
+    if (!pushOutward(pushed, byPx, context.view) || !expand(pushed, measured, context)) return Clear::kNoRoom;
+    return placeLabels(pushed, measured, context) ? Clear::kYes : Clear::kNotYet;
+  };
+  // No further than it must: whatever lies further out comes nearer in the next frames, and would be pushed again.
+  const double clearPx = leastClear(kLabelPushSteps, tryAt);
+  if (clearPx == 0 || tryAt(clearPx) != Clear::kYes) return false;
+  candidate = pushed;
+  return true;
 }
 
 /// As many lines carry a text as have room without being in the way of what is ahead, or else the first that has room; false when none has.

@@ -27,7 +27,7 @@ struct ChoiceContext {
   double toleranceM = 0;                    ///< kSamePlaneDistance of the model's size
   bool viewMoved = false;                   ///< since the last frame
   bool firm = false;                        ///< the last frame's place is kept wherever it still is one
-  bool patient = false;                     ///< what has had a better kind of place for less than kPatienceFrames does not take it yet
+  bool patient = false;                     ///< what has had a better kind of place for less than kPatienceFrames, or kPatienceSmallViewportFrames, does not take it yet
   const Identity* avoid = nullptr;          ///< a place that is not looked at
   bool asksForRoom = false;                 ///< labels may yet give way, in another round of the same frame
   FrameKind kind;
@@ -72,10 +72,10 @@ class Trial {
 
   /// Expands a candidate to lines() and gives it a label, moving it further out where the label has no room. False when there is none.
   bool settle(Candidate& candidate, const Measured& measured, const ChoiceContext& context);
-  /// Adds what the extension lines of a chain's members run across; those at its ends are known to the score already. After settle().
+  /// Adds what the extension lines of a chain's members run across: of the chain itself, the score knows those at its ends alone, where there may be no member left. After settle().
   void addMembers(AmongOthers& among, const ChoiceContext& context);
   /// Moves a candidate that runs across another's extension line, or across whose extension line another runs, further out until none does, where there is such an offset and its
-  /// label has room there. The last frame's choice goes there by kClearPx a frame. Beyond the paper, whose lines lie at the least offset (4.1). After settle().
+  /// label has room there. The last frame's choice goes there by kClearPx a frame, and where it is not clear of what is ahead it stays as far out as it is. Beyond the paper, whose lines lie at the least offset (4.1). After settle().
   void pushClear(Candidate& candidate, AmongOthers& among, const Measured& measured, const ChoiceContext& context, const History& history);
 
   /// Of the candidate that was settled last, as it lies now.

@@ -156,6 +156,59 @@ TEST_CASE("fitting gives the opening view again, as often as one likes") {
   CHECK(glm::length(stage.editor.camera().target - opening.target) < 1e-6);
 }
 
+TEST_CASE("fitting keeps the side that the model is seen from, whatever was zoomed, moved or edited before") {
+  EditorStage stage(defineHouse(), 976, 744);
+  const auto fit = [&] {
+    stage.editor.fitToView();
+    stage.settle();
+    return stage.editor.camera();
+  };
+  const Camera opening = fit();
+  for (int i = 0; i < 4; ++i) {
+    stage.editor.wheel({250, 250}, -300, {});
+    stage.settle();
+    const Camera again = fit();
+    CHECK(glm::length(again.eye - opening.eye) < 1e-6);
+    CHECK(glm::length(again.target - opening.target) < 1e-6);
+  }
+  // A house of another height is centred otherwise, and then as before.
+  const double floors = stage.value("Floors");
+  for (int i = 0; i < 3; ++i) {
+    stage.set("Floors", 4);
+    (void)fit();
+    stage.set("Floors", 1);
+    (void)fit();
+  }
+  stage.set("Floors", floors);
+  const Camera again = fit();
+  CHECK(glm::length(again.eye - opening.eye) < 1e-6);
+  // And right above it, where a direction beyond the zenith would turn the picture round.
+  Camera above = stage.editor.camera();
+  above.eye = above.target + glm::length(above.eye - above.target) * glm::normalize(Vec3(0.01, 1, 0.01));
+  REQUIRE(stage.editor.setCamera(above));
+  for (int i = 0; i < 3; ++i) {
+    const Camera fitted = fit();
+    const Vec3 back = fitted.eye - fitted.target;
+    CHECK(back.x > 0);
+    CHECK(back.z > 0);
+  }
+}
+
+TEST_CASE("a model is fitted as it has just been edited") {
+  const auto fit = [](Editor& editor) { editor.fitToView(); };
+  const auto viewFrom = [](Editor& editor) { editor.setStandardView(StandardView::kRight); };
+  for (const std::function<void(Editor&)>& see : {std::function<void(Editor&)>(fit), std::function<void(Editor&)>(viewFrom)}) {
+    EditorStage atOnce, later;
+    for (EditorStage* stage : {&atOnce, &later}) {
+      stage->set("Width", 19);
+      if (stage == &later) stage->settle();
+      see(stage->editor);
+      stage->settle();
+    }
+    CHECK(glm::length(atOnce.editor.camera().eye - later.editor.camera().eye) < 1e-6);
+  }
+}
+
 TEST_CASE("a camera that somebody sets before the first frame is not centred") {
   Editor editor;
   editor.resize(1000, 1000, 1);

@@ -366,7 +366,7 @@ test("an element that knew its properties before its class, and another model wi
     const editor = document.createElement("div");
     const early = document.createElement("dimline-editor");
     // As if they had been set before the class was known.
-    for (const [name, value] of Object.entries({ model: "house", initialValues: { Width: 9.7 }, linesShown: false })) {
+    for (const [name, value] of Object.entries({ model: "house", initialValues: { Width: 9.7 }, orthographic: true, linesShown: false })) {
       Object.defineProperty(early, name, { value, writable: true, configurable: true, enumerable: true });
     }
     early.style.cssText = "position: fixed; inset: 0 auto auto 0; width: 400px; height: 300px";
@@ -376,7 +376,7 @@ test("an element that knew its properties before its class, and another model wi
     for (const type of ["load", "error", "change"]) early.addEventListener(type, (event) => (events.push(type), event.stopPropagation()));
     await early.ready;
     const valueOf = (name) => early.getParameters().find((p) => p.name === name).value;
-    const first = { width: valueOf("Width"), attribute: early.getAttribute("model"), linesShown: early.linesShown };
+    const first = { width: valueOf("Width"), attribute: early.getAttribute("model"), orthographic: early.getCamera().fovDeg === undefined, linesShown: early.linesShown };
     early.model = "boat";
     early.initialValues = { Length: 30 };
     await early.settled();
@@ -384,7 +384,7 @@ test("an element that knew its properties before its class, and another model wi
     editor.remove();
     return { first, second, events };
   });
-  assert.deepEqual(seen.first, { width: 9.7, attribute: "house", linesShown: false });
+  assert.deepEqual(seen.first, { width: 9.7, attribute: "house", orthographic: true, linesShown: false });
   assert.deepEqual(seen.second, { length: 30, canUndo: false });
   assert.deepEqual(seen.events, ["load", "load"]);
 });

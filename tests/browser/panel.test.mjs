@@ -1,7 +1,7 @@
 // The page around the picture: the panel's form controls, the toolbar, and how it fits small and large windows.
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
-import { labelOf } from "./support/handles.mjs";
+import { fingersOf, labelOf } from "./support/handles.mjs";
 import { call, launch, layoutOf, openPage, pictureBox, ready, screenshot, settle, valueOf } from "./support/page.mjs";
 import { colourStatistics, decodePng } from "./support/png.mjs";
 
@@ -325,5 +325,24 @@ test("the phone's sheet folds away and gives its room to the picture", async () 
   await phone.tap("#fold");
   await settle(phone);
   assert.deepEqual(await pictureBox(phone), before);
+  await close();
+});
+
+test("a finger that scrolls the panel changes no value, wherever on a slider it came down", async () => {
+  const { page: phone, close } = await openPage(browser, { width: 390, height: 844, touch: true });
+  const fingers = await fingersOf(phone);
+  const before = await call(phone, "getParameters");
+  const box = await phone.locator("#parameters input[type=range]").first().boundingBox();
+  const at = (movedPx) => [box.x + 0.9 * box.width + (movedPx % 2), box.y + box.height / 2 - movedPx];
+  await fingers.down(at(0));
+  for (let movedPx = 10; movedPx <= 120; movedPx += 10) {
+    await fingers.move(at(movedPx));
+    await phone.waitForTimeout(16);
+  }
+  await fingers.up();
+  await settle(phone);
+  assert.ok(await phone.evaluate(() => document.querySelector("#parameters").parentElement.scrollTop > 50), "it scrolled");
+  assert.deepEqual(await call(phone, "getParameters"), before);
+  assert.equal(await phone.isEnabled("#undo"), false);
   await close();
 });
