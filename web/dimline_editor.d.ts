@@ -90,7 +90,7 @@ export interface OtherHandle {
   identity: string;
 }
 
-/** One frame as it is drawn. Every annotated parameter is in exactly one of lines, others and hidden. */
+/** One frame as it is drawn. Every annotated parameter is in exactly one of lines, others and hidden; none is in any while the element has no size, or lines are not shown (`linesShown`). */
 export interface Frame {
   size: [width: number, height: number];
   /** Column-major, OpenGL clip space. */

@@ -68,6 +68,7 @@ Camera composed(const View& view, const DistanceFields& fields, const Scene& sce
   placer.forget();
   Layout layout;
   placer.place(view, fields, values, layout, &seen);
+  placer.forget();
   return centred(layout, fields);
 }
 

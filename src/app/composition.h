@@ -15,8 +15,7 @@ Box2 coveredBox(const Layout& layout, const DistanceFields& fields);
 /// (an orthographic one is moved, which comes to the same). One that looks along an axis of the world stays as it is: a front view is one from right in front.
 Camera centred(const Layout& layout, const DistanceFields& fields);
 
-/// centred() for a model that opens in `view`: its lines are placed once, as if they were the first, and stay where they found a place, so that what has been
-/// centred is what will be seen.
+/// centred() for a model that opens in `view`: its lines are placed once, as if they were the first, and are forgotten, so that the picture is the same whoever sets the camera.
 Camera composed(const View& view, const DistanceFields& fields, const Scene& scene, const Values& values, Placer& placer);
 
 /// The view's camera, but looking along a direction that is given in its own right, up and forward, as before centred(); as it looks when that one lies beyond the zenith, where left and right change places.

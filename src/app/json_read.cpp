@@ -1,4 +1,7 @@
+#include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <string>
 
 #include <nlohmann/json.hpp>
 
@@ -13,10 +16,39 @@ namespace {
 
 using nlohmann::json;
 
+/// Goes through a text and tells how far it was read.
+struct Reader {
+  using iterator_category = std::input_iterator_tag;
+  using value_type = char;
+  using difference_type = std::ptrdiff_t;
+  using pointer = const char*;
+  using reference = char;
+
+  pointer at;
+  pointer* read;
+
+  char operator*() const { return *at; }
+  Reader& operator++() {
+    *read = ++at;
+    return *this;
+  }
+  bool operator==(const Reader& other) const { return at == other.at; }
+};
+
 Result<json> parse(std::string_view text, std::string_view what) {
-  json parsed = json::parse(text, nullptr, false);
-  if (parsed.is_discarded()) return Error{std::string(what) + " is not valid JSON: " + inQuotes(text) + "."};
-  return parsed;
+  const char* const begin = text.data();
+  const char* const end = begin + text.size();
+  const char* read = begin;
+  json parsed = json::parse(Reader{begin, &read}, Reader{end, &read}, nullptr, false);
+  if (!parsed.is_discarded()) return parsed;
+  const std::string isNot = std::string(what) + " is not valid JSON";
+  if (read == begin) return Error{isNot + ": there is no text."};
+  const char* const wrong = read - 1;   // nothing could be made of what was read last
+  const auto line = 1 + std::count(begin, wrong, '\n');
+  const auto lineBegin = std::find(std::reverse_iterator(wrong), std::reverse_iterator(begin), '\n').base();
+  const std::string_view untilThere(lineBegin, read);
+  const auto shown = untilThere.substr(untilThere.size() - std::min(untilThere.size(), kRecognisable));
+  return Error{isNot + " at line " + std::to_string(line) + ", column " + std::to_string(untilThere.size()) + ", the end of " + inQuotes(shown) + "."};
 }
 
 /// The value as a person would have written it, for messages.

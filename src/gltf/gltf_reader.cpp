@@ -31,25 +31,23 @@ struct PositionHash {
 };
 
 /// One mesh of all primitives, with positions that agree shared among them: files repeat a position for each normal and uv that
-/// meet there, which would make every edge a border.
+/// meet there, which would make every edge a border. Positions that no triangle uses are left out: files keep several meshes' in one list, and they would count as the model's size.
 Mesh weld(const GltfMesh& source) {
   Mesh mesh;
   std::unordered_map<glm::vec3, std::uint32_t, PositionHash> known;
   const bool hasUvs = std::any_of(source.primitives.begin(), source.primitives.end(),
                                   [](const GltfPrimitive& primitive) { return !primitive.uvs.empty(); });
   for (const GltfPrimitive& primitive : source.primitives) {
-    std::vector<std::uint32_t> indices;
-    indices.reserve(primitive.positions.size());
-    for (const glm::vec3& position : primitive.positions) {
-      const glm::vec3 key = position + 0.0F;  // -0 and 0 are one place
+    const auto welded = [&](std::uint32_t corner) {
+      const glm::vec3 key = primitive.positions[corner] + 0.0F;  // -0 and 0 are one place
       const auto [entry, isNew] = known.try_emplace(key, static_cast<std::uint32_t>(mesh.positions.size()));
       if (isNew) mesh.positions.push_back(key);
-      indices.push_back(entry->second);
-    }
+      return entry->second;
+    };
     for (const auto& corners : primitive.triangles) {
-      const std::array<std::uint32_t, 3> triangle{indices[corners[0]], indices[corners[1]], indices[corners[2]]};
-      const Vec3 area = areaVector(mesh, triangle);
+      const Vec3 area = areaVector(primitive.positions, corners);
       if (!(glm::dot(area, area) > 0)) continue;
+      const std::array<std::uint32_t, 3> triangle{welded(corners[0]), welded(corners[1]), welded(corners[2])};
       mesh.triangles.push_back(triangle);
       mesh.materials.push_back(primitive.material);
       // glTF: without normals, faces are flat.

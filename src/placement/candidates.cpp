@@ -252,7 +252,7 @@ void gatherGuideCandidates(const CandidateContext& context, const UsableBaseLine
       const double offsetM = glm::dot(guide.point - candidate.foot.start, candidate.outward);
       if (!(offsetM > 0) || offsetM < leastRoomM(candidate)) continue;
       const auto slide = Slide::make(context.view, candidate.foot, candidate.outward);
-      if (!slide || leastClearingOffset(context.paddedModel, *slide) > offsetM * (1 + kRoundingShare)) continue;
+      if (!slide || leastClearingOffset(context.paddedModel, *slide) > offsetM + metresAt(candidate, kGuideSlackPx, context.view)) continue;
       candidate.placement = PlacementKind::kGuide;
       candidate.guide = static_cast<int>(i);
       if (placeAt(candidate, *slide, offsetM, context.view)) keep(context, base, candidate, *slide, candidates);

@@ -215,6 +215,7 @@ void appendShape(const OverlayShape& shape, double reachPx, LookPath& path) {
       path.d += "L" + point(end);
       break;
     case OverlayShape::Kind::kArrow: {
+      if (start == end) break;   // so far off the paper that floats do not tell its ends apart
       const Vec2 along = glm::normalize(end - start);
       const Vec2 across = Vec2(-along.y, along.x) * static_cast<double>(shape.halfWidthPx);
       path.d += "M" + point(start) + "L" + point(end + across) + "L" + point(end - across) + "Z";

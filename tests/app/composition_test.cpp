@@ -7,6 +7,7 @@
 #include "app/editor_stage.h"
 #include "models/models.h"
 #include "support/fields.h"
+#include "support/stage.h"
 
 using namespace dimline;
 using namespace dimline::test;
@@ -154,6 +155,17 @@ TEST_CASE("fitting gives the opening view again, as often as one likes") {
   stage.settle();
   CHECK(glm::length(stage.editor.camera().eye - opening.eye) < 1e-6);
   CHECK(glm::length(stage.editor.camera().target - opening.target) < 1e-6);
+}
+
+TEST_CASE("the lines of an opening view are those that any other placer gives to its camera") {
+  Stage opened(defineHouse()), given(defineHouse());
+  const View view(threeQuarterView(opened.scene.bounds, 1000, 700), 1000, 700, opened.scene.bounds);
+  opened.producer.produce(view, opened.fields);
+  const Camera camera = composed(view, opened.fields, opened.scene, opened.values, opened.placer);
+  opened.look(camera, 1000, 700);
+  given.look(camera, 1000, 700);
+  REQUIRE(opened.layout.lines.size() == given.layout.lines.size());
+  for (std::size_t i = 0; i < given.layout.lines.size(); ++i) CHECK(opened.layout.lines[i].identity == given.layout.lines[i].identity);
 }
 
 TEST_CASE("fitting keeps the side that the model is seen from, whatever was zoomed, moved or edited before") {

@@ -377,9 +377,19 @@ TEST_CASE("of a file of cameras that has no end no more is read than makes sense
   CHECK(run.err.find("\"/dev/zero\" has more than 64 MB") != std::string::npos);
 }
 
+TEST_CASE("a drawing of what is seen from nearly no angle has numbers alone in it") {
+  const TemporaryFolder folder;
+  layoutOf({"single-tree", "--eye", "10,8,14", "--target", "0,3,0", "--fov", "1e-7", "--svg", folder / "drawings"});
+  const std::string svg = contentOf(folder / "drawings/0000.svg");
+  CHECK(svg.find("nan") == std::string::npos);
+  CHECK(svg.find("inf") == std::string::npos);
+}
+
 TEST_CASE("cameras that cannot be used: status 1, and which one it is") {
   const std::vector<std::pair<std::string, std::string>> cases = {
-      {"[{", "not valid JSON"},
+      {"", "there is no text"},
+      {"[{", "not valid JSON at line 1, column 2"},
+      {"[{\"eye\":[1,2,3],\n  \"target\":[0,0,0],}]", "line 2, column 21"},
       {"{}", "list"},
       {"[3]", "Camera 0"},
       {R"([{"eye":[1,2,3],"target":[0,0,0]},{"eye":[1,2,3]}])", "Camera 1"},

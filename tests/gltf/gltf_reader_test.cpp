@@ -317,6 +317,18 @@ TEST_CASE("triangles without area and normals without length do no harm") {
   CHECK(normalsFaceOut(scene));
 }
 
+TEST_CASE("a place that no triangle uses does not count towards the model's size") {
+  // Two meshes in one list, of which the scene shows one; and a triangle without area far away.
+  GltfMaker maker;
+  const int positions = maker.floats(std::vector<glm::vec3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {50, 0, 0}, {51, 0, 0}, {50, 1, 0}, {0, 0, 70}});
+  maker.node({{"mesh", maker.mesh({{"attributes", {{"POSITION", positions}}}, {"indices", maker.indices({0, 1, 2, 6, 6, 6})}})}});
+  maker.mesh({{"attributes", {{"POSITION", positions}}}, {"indices", maker.indices({3, 4, 5})}});
+  const Scene scene = sceneOf(readOrFail(maker.glb()));
+  CHECK(scene.meshes[0].positions.size() == 3);
+  CHECK(near(scene.bounds.min, {0, 0, 0}));
+  CHECK(near(scene.bounds.max, {1, 1, 0}));
+}
+
 // --- Textures ---------------------------------------------------------------------------------------------------------
 
 /// 2x2: red, green, blue, white.

@@ -109,6 +109,17 @@ TEST_CASE("a view through 90 degrees, by hand") {
   REQUIRE(view.viewport().max == Vec2(200, 100));
 }
 
+TEST_CASE("an up of any length rolls the camera as its direction says") {
+  Camera camera;
+  camera.eye = {0, 0, 10};
+  camera.up = {1, 1, 0};
+  const View view(camera, 100, 100, {});
+  for (const double length : {1e300, 1e-200, 1e-310}) {
+    camera.up = Vec3(length, length, 0);
+    CHECK(glm::length(View(camera, 100, 100, {}).up() - view.up()) < 1e-9);
+  }
+}
+
 TEST_CASE("an orthographic view, by hand") {
   Camera camera = frontCamera();
   camera.orthoHeightM = 5;
