@@ -51,7 +51,7 @@ inline constexpr double kShowAgainFactor = 1.18;
 /// px. While all is shown, a line must still have a direction on screen.
 inline constexpr double kShowAllLengthPx = 1.5;
 
-/// px. How much further out than the least offset a line is tried, step by step, when its label has no room there.
+/// px. How much further out than the least offset a line is tried, step by step, when its label has no room there; of the first step that has room, the least that does (kClearingPrecisionPx).
 inline constexpr double kLabelPushStepPx = 10.0;
 inline constexpr int kLabelPushSteps = 4;
 /// In how many such steps a line that is in a tangle of lines and extension lines is tried further out, to what share of the least offset, how exactly (px) the first free
