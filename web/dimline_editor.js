@@ -318,14 +318,15 @@ export class DimlineEditor extends Base {
 
   // What a page has set before this class was known lies before its accessors. Some of it needs the core.
   #upgradeProperties() {
-    const upgrade = (name, set) => {
-      if (!Object.hasOwn(this, name)) return;
+    const forCore = ["orthographic", "fieldsFrom"];
+    for (const name of ["model", "coreUrl", "initialValues", "linesShown", "measuresShown", "hiddenShown", ...forCore]) {
+      if (!Object.hasOwn(this, name)) continue;
       const value = this[name];
       delete this[name];
-      set(() => (this[name] = value));
-    };
-    for (const name of ["model", "coreUrl", "initialValues", "linesShown", "measuresShown", "hiddenShown"]) upgrade(name, (assign) => assign());
-    for (const name of ["orthographic", "fieldsFrom"]) upgrade(name, (assign) => this.ready.then(assign, () => {}));
+      const assign = () => (this[name] = value);
+      if (forCore.includes(name)) this.ready.then(assign, () => {});
+      else assign();
+    }
   }
 
   // Another document, as of a frame: style sheets, fonts and listeners belong to the one before.

@@ -23,10 +23,13 @@ struct Frame {
   Vec3 right, up, forward;
 };
 
+/// The greatest of its coordinates, whatever their signs.
+double reach(const Vec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
+
 /// An up that points along the view says nothing; then the world axis that is most at right angles to the view stands in.
 Frame frameOf(const Camera& camera) {
   const Vec3 forward = glm::normalize(camera.target - camera.eye);
-  const Vec3 up = camera.up / std::max({std::abs(camera.up.x), std::abs(camera.up.y), std::abs(camera.up.z)});   // of any length, the square of which may be none
+  const Vec3 up = camera.up / reach(camera.up);   // of any length, the square of which may be none
   Vec3 side = glm::cross(forward, up);
   if (!(glm::length(side) > 1e-9 * glm::length(up))) {
     side = glm::cross(forward, std::abs(forward.y) > 0.9 ? Vec3(0, 0, -1) : Vec3(0, 1, 0));
@@ -41,7 +44,6 @@ Status validate(const Camera& camera) {
   if (!isFinite(camera.eye) || !isFinite(camera.target) || !isFinite(camera.up)) {
     return Error{"The camera's eye, target and up must be finite numbers."};
   }
-  const auto reach = [](const Vec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); };
   if (std::max(reach(camera.eye), reach(camera.target)) > kMostCoordinateM) {
     return Error{"The camera's eye and target must lie within 1e12 metres of the origin."};
   }
