@@ -119,6 +119,21 @@ TEST_CASE("inside the model, a line of what is mostly hidden gives way to anothe
   CHECK(look(kSeenShareInPlainView) != nullptr);
 }
 
+TEST_CASE("inside the model, a line that waits for its room to last is hidden for what keeps it from plain view") {
+  const ScopeVisibility mostlyHidden{.seenShare = {1, 1, 0.9F * static_cast<float>(kSeenShareInPlainView)}, .seenEdges = {}};
+  Stage stage(wallWithRail(9.5, 3));
+  stage.look(straightAt(9, kSeenM), 1000, 1000, &mostlyHidden);
+  REQUIRE(stage.find("Height") == nullptr);   // the plate's extension lines are there
+  int waited = 0;
+  for (double heightM = 11.1; stage.find("Height") == nullptr && waited < 100; heightM += 0.01, ++waited) {
+    stage.look(straightAt(heightM, kSeenM), 1000, 1000, &mostlyHidden);
+    REQUIRE(stage.find("Width") == nullptr);
+    if (stage.find("Height") == nullptr) CHECK(stage.layout.hidden.back().reason == HiddenReason::kOccluded);
+  }
+  CHECK(waited > kPatienceFrames);
+  CHECK(waited < 100);
+}
+
 TEST_CASE("inside the model, a line that gave way comes back when it has had room for a while, and not before a still camera") {
   Stage stage(wallWithMast());
   stage.look(straightAt(0, kSeenM));

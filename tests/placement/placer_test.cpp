@@ -280,6 +280,21 @@ TEST_CASE("a chain keeps clear of a line that the extension lines of its inner m
   CHECK(bay->lineScreen.start.y < 350);
 }
 
+TEST_CASE("a chain of which one member is left keeps clear of a line that this one's extension lines would run across") {
+  Stage stage(wallWithPlateAndBays({.heightM = 6, .plateM = 1, .baysM = 1.5, .plateAlign = "bottom"}));
+  ScopeVisibility visibility;
+  visibility.seenShare = {1, 1, 0, 1, 0};   // wall, plate, and the three bays
+  const Layout& layout = stage.look(straightAt(3), 1000, 1000, &visibility);
+  const PlacedLine* plate = stage.find("Plate");
+  const PlacedLine* bay = stage.find("Bay");
+  REQUIRE(plate != nullptr);
+  REQUIRE(bay != nullptr);
+  REQUIRE(bay->chain >= 0);
+  REQUIRE(std::ranges::count(layout.lines, bay->chain, &PlacedLine::chain) == 1);
+  CHECK(plate->lineScreen.start.y > 650);   // the wall covers y from 350 to 650
+  CHECK(bay->lineScreen.start.y < 350);
+}
+
 TEST_CASE("a chain stays with its row in an edited model, whatever the row's number is there") {
   // The row lies a little above the wall's foot; the edit puts another one below and before it, in a plane of its own, which comes first.
   ModelDefinition definition = boxWithDoor();
