@@ -152,10 +152,9 @@ void Editor::redo() {
 
 bool Editor::canUndo() const {
   const State& s = *state_;
-  return s.history.canUndo() || (s.continuing && *s.continuing != s.values) ||
-         (s.handleGesture && s.handleGesture->before != s.values);
+  return s.history.canUndo() || s.editsOpenly();
 }
-bool Editor::canRedo() const { return state_->history.canRedo(); }
+bool Editor::canRedo() const { return state_->history.canRedo() && !state_->editsOpenly(); }
 
 void Editor::State::notify(EditorEvent event) {
   // A host that asks once a frame wants to know that something moved, not how often; one that never asks must not let the list grow.
@@ -227,6 +226,7 @@ void Editor::resize(double widthPx, double heightPx, double devicePixelRatio) {
   if (s.cameraUntouched && s.loaded && !s.handleGesture) s.openingCamera();
   // One that was fitted to a size which was not there, or is not any more, and that no frame has shown.
   if (s.compositionDue && !s.cameraUntouched && s.hasSize()) fitToView();
+  if (s.cameraGesture) s.resumeCameraGesture();
 }
 
 const Camera& Editor::camera() const { return state_->camera; }
@@ -321,6 +321,7 @@ void Editor::State::compose() {
   camera = next;
   const View now = currentView();
   fittedAlong = Vec3(glm::dot(view.forward(), now.right()), glm::dot(view.forward(), now.up()), glm::dot(view.forward(), now.forward()));
+  if (cameraGesture) resumeCameraGesture();
   viewStale = true;
   notify(EditorEvent::kCameraChange);
 }

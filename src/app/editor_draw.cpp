@@ -34,6 +34,7 @@ void dropCovered(const Box2& label, std::vector<DragMark>& marks) {
 
 void Editor::attachRenderer() {
   State& s = *state_;
+  detachRenderer();   // requests are numbered by the renderer that they went to
   s.renderer = std::make_unique<Renderer>();
   s.rendererSceneStale = true;
   s.pictureStale = true;

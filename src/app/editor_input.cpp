@@ -82,11 +82,7 @@ void Editor::pointerUp(const PointerInput& input) {
 void Editor::cancelGesture() {
   State& s = *state_;
   if (s.handleGesture) s.cancelHandleGesture();
-  if (s.cameraGesture) {
-    const Camera before = s.cameraGesture->restore;
-    s.cameraGesture.reset();
-    s.moveCamera(before);
-  }
+  if (s.cameraGesture) s.cancelCameraGesture();
 }
 
 void Editor::cancelPointer(int id) {
@@ -101,7 +97,8 @@ void Editor::wheel(const Vec2& screen, double deltaPx, const Modifiers& modifier
   if (!isFinite(screen) || !std::isfinite(deltaPx) || !s.loaded || !s.hasSize() || s.handHolds()) return;
   double delta = std::clamp(deltaPx, -kMostWheelPx, kMostWheelPx);
   if (modifiers.ctrl && std::abs(delta) <= kMostPinchPx) delta *= kPinchScale;
-  s.moveCamera(zoom(s.camera, wheelZoomFactor(delta), s.pivotUnder(screen), cameraLimits(s.scene.bounds)));
+  const Camera next = zoom(s.camera, wheelZoomFactor(delta), s.pivotUnder(screen), cameraLimits(s.scene.bounds));
+  if (next != s.camera) s.moveCamera(next);
 }
 
 PointerTarget Editor::hover(const PointerInput& input) {
@@ -232,11 +229,19 @@ void Editor::State::moveHold(HandleHold& hold, const PointerInput& input) {
 
 /// Brings the values under the pointers.
 void Editor::State::followPointers() {
-  if (!handleGesture || !hasSize() || !std::exchange(handleGesture->moved, false)) return;
-  if (std::exchange(handleGesture->regrips, false)) {
-    for (HandleHold& hold : handleGesture->holds) hold.drag.regrip(placed, hold.at, currentView());
-  }
+  if (!handleGesture || !hasSize() || !handleGesture->moved || !regripHandles()) return;
+  handleGesture->moved = false;
   assign(handleGesture->valuesUnder(values, currentView()));
+}
+
+/// In another viewport handles are somewhere else under the same pointers: these take hold of them there, once they are placed. False until then.
+bool Editor::State::regripHandles() {
+  if (!handleGesture->regrips) return true;
+  for (HandleHold& hold : handleGesture->holds) {
+    if (!hold.drag.regrip(placed, hold.at, currentView())) return false;
+  }
+  handleGesture->regrips = false;
+  return true;
 }
 
 /// A pointer was lifted: what it did stays.
@@ -260,7 +265,7 @@ void Editor::State::withdrawHandle(int pointer) {
   gesture.holds.erase(hold);
   gesture.moved = false;
   viewStale = true;
-  assign(hasSize() ? gesture.valuesUnder(next, currentView()) : next);
+  assign(hasSize() && regripHandles() ? gesture.valuesUnder(next, currentView()) : next);
   if (gesture.holds.empty()) endHandleGesture();
 }
 
@@ -302,6 +307,9 @@ void Editor::State::beginCameraGesture(const PointerInput& input) {
   gesture.kind = input.kind == PointerKind::kTouch ? CameraGesture::Kind::kOrbit : kindFor(input);
   gesture.pointerKind = input.kind;
   gesture.restore = gesture.start = camera;
+  gesture.untouchedBefore = cameraUntouched;
+  gesture.compositionDueBefore = compositionDue;
+  gesture.viewportBefore = {widthPx, heightPx};
   gesture.first = {input.id, input.screen, input.screen};
   if (gesture.kind == CameraGesture::Kind::kZoom) gesture.pivot = pivotUnder(input.screen);
   cameraGesture = gesture;
@@ -312,10 +320,30 @@ void Editor::State::beginCameraGesture(const PointerInput& input) {
 void Editor::State::addFinger(const PointerInput& input) {
   CameraGesture& gesture = *cameraGesture;
   gesture.kind = CameraGesture::Kind::kTwoFingers;
-  gesture.start = camera;
-  gesture.first.start = gesture.first.now;
   gesture.second = {input.id, input.screen, input.screen};
-  gesture.pivot = pointAtTargetDepth(currentView(), 0.5 * (gesture.first.start + gesture.second.start));
+  resumeCameraGesture();
+}
+
+/// What the pointers have done is done; what they do from here on is counted anew, from the camera and in the viewport as they are now.
+void Editor::State::resumeCameraGesture() {
+  CameraGesture& gesture = *cameraGesture;
+  gesture.start = camera;
+  if (cameraUntouched) gesture.restore = camera;
+  gesture.first.start = gesture.first.now;
+  gesture.second.start = gesture.second.now;
+  if (gesture.kind == CameraGesture::Kind::kTwoFingers && hasSize()) {
+    gesture.pivot = pointAtTargetDepth(currentView(), 0.5 * (gesture.first.start + gesture.second.start));
+  }
+}
+
+/// The camera is as if nobody had touched it: if nobody had before either, it is fitted to a viewport that has become another one.
+void Editor::State::cancelCameraGesture() {
+  const CameraGesture gesture = *cameraGesture;
+  cameraGesture.reset();
+  if (camera != gesture.restore) moveCamera(gesture.restore);
+  cameraUntouched = gesture.untouchedBefore;
+  compositionDue = gesture.compositionDueBefore;
+  if (cameraUntouched && gesture.viewportBefore != Vec2(widthPx, heightPx)) openingCamera();
 }
 
 void Editor::State::moveCameraGesture() {
@@ -323,27 +351,29 @@ void Editor::State::moveCameraGesture() {
   CameraGesture& gesture = *cameraGesture;
   const CameraLimits limits = cameraLimits(scene.bounds);
   const Vec2 travel = gesture.first.now - gesture.first.start;
+  Camera next = camera;
   switch (gesture.kind) {
     case CameraGesture::Kind::kOrbit: {
       const OrbitMove move = orbit(gesture.start, travel, heightPx);
       gesture.first.start.y += move.overrunPx;
-      moveCamera(move.camera);
+      next = move.camera;
       break;
     }
     case CameraGesture::Kind::kPan:
-      moveCamera(pan(gesture.start, travel, heightPx, limits));
+      next = pan(gesture.start, travel, heightPx, limits);
       break;
     case CameraGesture::Kind::kZoom:
-      moveCamera(zoom(gesture.start, dragZoomFactor(travel.y), gesture.pivot, limits));
+      next = zoom(gesture.start, dragZoomFactor(travel.y), gesture.pivot, limits);
       break;
     case CameraGesture::Kind::kTwoFingers: {
       const double spanBefore = std::max(glm::length(gesture.second.start - gesture.first.start), kLeastFingerSpanPx);
       const double span = std::max(glm::length(gesture.second.now - gesture.first.now), kLeastFingerSpanPx);
       const Vec2 middleTravel = 0.5 * (travel + gesture.second.now - gesture.second.start);
-      moveCamera(pan(zoom(gesture.start, spanBefore / span, gesture.pivot, limits), middleTravel, heightPx, limits));
+      next = pan(zoom(gesture.start, spanBefore / span, gesture.pivot, limits), middleTravel, heightPx, limits);
       break;
     }
   }
+  if (next != camera) moveCamera(next);
 }
 
 /// One pointer was lifted. Of two fingers the other one goes on, orbiting.
@@ -352,8 +382,7 @@ void Editor::State::endCameraPointer(int id) {
   if (gesture.kind == CameraGesture::Kind::kTwoFingers && (id == gesture.first.id || id == gesture.second.id)) {
     if (id == gesture.first.id) gesture.first = gesture.second;
     gesture.kind = CameraGesture::Kind::kOrbit;
-    gesture.start = camera;
-    gesture.first.start = gesture.first.now;
+    resumeCameraGesture();
     return;
   }
   if (id == gesture.first.id) cameraGesture.reset();

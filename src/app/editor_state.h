@@ -48,7 +48,9 @@ struct CameraGesture {
     Vec2 now{0.0};
   };
   PointerKind pointerKind = PointerKind::kMouse;
-  Camera restore;   ///< what cancelling restores
+  Camera restore;   ///< what cancelling restores, and whether that one was chosen and for which viewport
+  bool untouchedBefore = false, compositionDueBefore = false;
+  Vec2 viewportBefore{0.0};
   Camera start;     ///< what the pointers' travel is counted from
   Vec3 pivot{0.0};  ///< of a zoom
   Pointer first, second;
@@ -131,6 +133,7 @@ struct Editor::State {
   // editor.cpp
   [[nodiscard]] bool hasSize() const { return widthPx >= 1 && heightPx >= 1; }
   [[nodiscard]] bool handHolds() const { return handleGesture || cameraGesture; }
+  [[nodiscard]] bool editsOpenly() const { return (continuing && *continuing != values) || (handleGesture && handleGesture->before != values); }
   [[nodiscard]] View currentView() const { return {camera, widthPx, heightPx, scene.bounds}; }
   void notify(EditorEvent event);
   void begin(const Values& first);
@@ -169,6 +172,9 @@ struct Editor::State {
   void moveHold(HandleHold& hold, const PointerInput& input);
   void followPointers();
   void moveCameraGesture();
+  void resumeCameraGesture();
+  void cancelCameraGesture();
+  bool regripHandles();
   void releaseHandle(int pointer);
   void withdrawHandle(int pointer);
   void endHandleGesture();

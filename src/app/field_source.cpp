@@ -7,27 +7,12 @@
 
 namespace dimline {
 
-namespace {
-
-/// ms. The CPU answers within the frame, the GPU some frames later; so as long as the CPU takes no more than this of a
-/// frame's 16 ms, it is the better one whatever the GPU could do. Only models dearer than that are measured on both.
-constexpr double kCpuBudgetMs = 3.0;
-
-/// The first measurement of a scene pays for memory, so that the best of a few counts.
-constexpr int kCpuSamples = 3;
-
-/// The first answer of a context pays for its shaders, so that it does not count.
-constexpr int kGpuWarmUp = 1;
-
-}  // namespace
-
 Editor::FieldsFrom FieldSource::active(const Renderer* renderer) const {
   using From = Editor::FieldsFrom;
   if (renderer == nullptr || renderer->fieldsRefused() || from_ == From::kCpu) return From::kCpu;
   if (from_ == From::kGpu) return From::kGpu;
   // A software rasterizer draws the mask with the same cores, and is slower at it than the CPU's own way.
-  if (renderer->context().software() || cpuSamples_ < kCpuSamples || cpuMs_ <= kCpuBudgetMs) return From::kCpu;
-  return gpuMs_ < cpuMs_ ? From::kGpu : From::kCpu;
+  return !renderer->context().software() && times_.gpuIsBetter() ? From::kGpu : From::kCpu;
 }
 
 void FieldSource::setScene(const Scene& scene) {
@@ -36,15 +21,15 @@ void FieldSource::setScene(const Scene& scene) {
   for (Flight& flight : flights_) flight.newest = false;
 }
 
-void FieldSource::forgetTimes() {
-  cpuSamples_ = 0;
-  gpuMs_ = 0;
-}
-
 void FieldSource::rendererGone() {
   flights_.clear();
-  gpuMs_ = 0;
-  gpuSamples_ = 0;
+  times_.forgetGpu();
+}
+
+/// Nobody waits for what is under way any more; nor may the GPU hold a place for it.
+void FieldSource::dropFlights(Renderer* renderer) {
+  if (renderer != nullptr && !flights_.empty()) renderer->dropFields();
+  flights_.clear();
 }
 
 bool FieldSource::update(const View& view, bool stale, double devicePixelRatio, Renderer* renderer) {
@@ -53,7 +38,7 @@ bool FieldSource::update(const View& view, bool stale, double devicePixelRatio, 
     for (Flight& flight : flights_) flight.newest = false;
   }
   if (active(renderer) == Editor::FieldsFrom::kCpu) {
-    flights_.clear();
+    dropFlights(renderer);
     return !current_ && measureOnCpu(view);
   }
   const bool arrived = poll(*renderer);
@@ -66,8 +51,7 @@ bool FieldSource::measureOnCpu(const View& view) {
   const Stopwatch watch;
   cpu_.produce(view, fields_);
   measuredMs_ = watch.ms();
-  cpuMs_ = cpuSamples_ == 0 ? measuredMs_ : std::min(cpuMs_, measuredMs_);
-  ++cpuSamples_;
+  times_.cpuTook(measuredMs_);
   view_ = view;
   current_ = true;
   return true;
@@ -85,7 +69,7 @@ bool FieldSource::poll(Renderer& renderer) {
       view_ = flight.view;
       current_ = flight.newest;
       measuredMs_ = flight.requestMs + watch.ms();
-      gpuMs_ = gpuSamples_++ < kGpuWarmUp ? 0.0 : measuredMs_;
+      times_.gpuTook(measuredMs_);
       std::swap(fields_, arrived_);
       known = true;
     }
@@ -108,10 +92,7 @@ std::optional<DistanceFields> FieldSource::measure(const View& view, Editor::Fie
   if (from == Editor::FieldsFrom::kGpu) {
     GpuFields* const gpu = renderer != nullptr ? renderer->fields() : nullptr;
     if (gpu == nullptr) return std::nullopt;
-    // Answers under way would come in the way of this one; their frames ask again.
-    while (gpu->finish(fields)) {
-    }
-    flights_.clear();
+    dropFlights(renderer);   // their frames ask again
     current_ = false;
     if (gpu->request(renderer->scene(), view, devicePixelRatio) == 0 || !gpu->finish(fields)) return std::nullopt;
   } else {

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "app/editor.h"
+#include "app/producer_times.h"
 #include "render/renderer.h"
 #include "silhouette/cpu_fields.h"
 
@@ -23,7 +24,7 @@ public:
 
   void setScene(const Scene& scene);
   /// Another model: what is known of the producers' times does not hold for it.
-  void forgetTimes();
+  void forgetTimes() { times_.forget(); }
   /// Requests under way are lost with their context.
   void rendererGone();
 
@@ -56,6 +57,7 @@ private:
   bool measureOnCpu(const View& view);
   bool poll(Renderer& renderer);
   void request(const View& view, double devicePixelRatio, Renderer& renderer);
+  void dropFlights(Renderer* renderer);
 
   Editor::FieldsFrom from_ = Editor::FieldsFrom::kAuto;
   CpuFields cpu_;
@@ -64,9 +66,8 @@ private:
   View view_;
   bool current_ = false;
   double measuredMs_ = 0;
-  // What kAuto knows about this scene on this machine.
-  double cpuMs_ = 0, gpuMs_ = 0;
-  int cpuSamples_ = 0, gpuSamples_ = 0;
+  /// What kAuto knows. Only models dearer than 3 of a frame's 16 ms are measured on both.
+  ProducerTimes times_{3.0};
   std::deque<Flight> flights_;
 };
 

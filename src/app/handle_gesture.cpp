@@ -10,15 +10,18 @@ constexpr int kMostRounds = 4;
 
 }  // namespace
 
-void ValueDrag::regrip(const Layout& layout, const Vec2& pointer, const View& view) {
+bool ValueDrag::regrip(const Layout& layout, const Vec2& pointer, const View& view) {
   const auto isMine = [&](const auto& placed) { return isOf(placed); };
   if (HandleDrag* drag = line()) {
     const auto found = std::ranges::find_if(layout.lines, isMine);
-    if (found != layout.lines.end()) drag->regrip(*found, pointer, view);
+    if (found == layout.lines.end()) return false;
+    drag->regrip(*found, pointer, view);
   } else {
     const auto found = std::ranges::find_if(layout.others, isMine);
-    if (found != layout.others.end()) std::get<ArcDrag>(drag_).regrip(*found, pointer, view);
+    if (found == layout.others.end()) return false;
+    std::get<ArcDrag>(drag_).regrip(*found, pointer, view);
   }
+  return true;
 }
 
 Values HandleGesture::valuesUnder(const Values& present, const View& view) {

@@ -35,8 +35,8 @@ public:
     return line() != nullptr && placed.parameter == parameter() && (placed.chain < 0 || placed.identity == line()->startLine().identity);
   }
   [[nodiscard]] bool isOf(const PlacedHandle& placed) const { return arc() != nullptr && placed.parameter == parameter(); }
-  /// As HandleDrag::regrip(), by the line or the arc that this drags, if it is in `layout`.
-  void regrip(const Layout& layout, const Vec2& pointer, const View& view);
+  /// As HandleDrag::regrip(), by the line or the arc that this drags. False, and all is as before, when it is not in `layout`.
+  bool regrip(const Layout& layout, const Vec2& pointer, const View& view);
   /// Null when it is the other one.
   [[nodiscard]] HandleDrag* line() { return std::get_if<HandleDrag>(&drag_); }
   [[nodiscard]] const HandleDrag* line() const { return std::get_if<HandleDrag>(&drag_); }

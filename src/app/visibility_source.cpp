@@ -7,41 +7,21 @@
 
 namespace dimline {
 
-namespace {
-
-/// ms. As long as the CPU takes no more than this of a frame, an answer within the frame is worth more than a free one some frames later.
-constexpr double kCpuBudgetMs = 1.0;
-
-/// The first measurement of a scene pays for memory, so that the best of a few counts.
-constexpr int kCpuSamples = 3;
-
-/// The first answer of a context pays for its shaders, so that it does not count.
-constexpr int kGpuWarmUp = 1;
-
-}  // namespace
-
 Editor::FieldsFrom VisibilitySource::active(const Renderer* renderer) const {
   using From = Editor::FieldsFrom;
   if (renderer == nullptr || from_ == From::kCpu) return From::kCpu;
   if (from_ == From::kGpu) return From::kGpu;
   // A software rasterizer draws the depths with the same cores, and is slower at it.
-  if (renderer->context().software() || cpuSamples_ < kCpuSamples || cpuMs_ <= kCpuBudgetMs) return From::kCpu;
-  return gpuMs_ < cpuMs_ ? From::kGpu : From::kCpu;
+  return !renderer->context().software() && times_.gpuIsBetter() ? From::kGpu : From::kCpu;
 }
 
 void VisibilitySource::viewChanged() {
   for (Flight& flight : flights_) flight.newest = false;
 }
 
-void VisibilitySource::forgetTimes() {
-  cpuSamples_ = 0;
-  gpuMs_ = 0;
-}
-
 void VisibilitySource::rendererGone() {
   flights_.clear();
-  gpuMs_ = 0;
-  gpuSamples_ = 0;
+  times_.forgetGpu();
 }
 
 bool VisibilitySource::measure(const Scene& scene, const View& view, Renderer* renderer, bool atOnce,
@@ -57,10 +37,11 @@ bool VisibilitySource::measure(const Scene& scene, const View& view, Renderer* r
     if (!flights_.empty()) return false;
   }
   cpu_.measure(scene, view, seen_);
+  // Nobody waits for what is under way any more; nor may the GPU hold a place for it.
+  if (renderer != nullptr && !flights_.empty()) renderer->dropVisibility();
   flights_.clear();
   measuredMs_ = watch.ms();
-  cpuMs_ = cpuSamples_ == 0 ? measuredMs_ : std::min(cpuMs_, measuredMs_);
-  ++cpuSamples_;
+  times_.cpuTook(measuredMs_);
   return true;
 }
 
@@ -75,7 +56,7 @@ VisibilitySource::Arrival VisibilitySource::poll(Renderer* renderer) {
     if (flight.number == *number) {
       arrival = flight.newest ? Arrival::kPresent : Arrival::kOlder;
       measuredMs_ = flight.requestMs + watch.ms();
-      gpuMs_ = gpuSamples_++ < kGpuWarmUp ? 0.0 : measuredMs_;
+      times_.gpuTook(measuredMs_);
       std::swap(seen_, arrived_);
     }
     flights_.pop_front();

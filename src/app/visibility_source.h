@@ -3,6 +3,7 @@
 #include <deque>
 
 #include "app/editor.h"
+#include "app/producer_times.h"
 #include "render/renderer.h"
 #include "silhouette/scope_visibility.h"
 
@@ -20,7 +21,7 @@ public:
   /// What is under way is of an earlier view; it is still good enough for frames on the way.
   void viewChanged();
   /// Another model: what is known of the producers' times does not hold for it.
-  void forgetTimes();
+  void forgetTimes() { times_.forget(); }
   /// Requests under way are lost with their context.
   void rendererGone();
 
@@ -50,9 +51,8 @@ private:
   ScopeVisibility seen_;
   ScopeVisibility arrived_;  ///< what the GPU sends lands here, in case that nobody waits for it any more
   double measuredMs_ = 0;
-  // What kAuto knows about this scene on this machine.
-  double cpuMs_ = 0, gpuMs_ = 0;
-  int cpuSamples_ = 0, gpuSamples_ = 0;
+  /// What kAuto knows. As long as the CPU takes no more than 1 ms of a frame, an answer within the frame is worth more than a free one some frames later.
+  ProducerTimes times_{1.0};
   std::deque<Flight> flights_;
 };
 

@@ -10,8 +10,8 @@ namespace dimline {
 /// lines. Also the unit that turns the score's terms into pixels (4.2). Larger: airier, and fewer lines fit.
 inline constexpr double kHandleSpacingPx = 30.0;
 
-/// px. By how much less than handleSpacing a line may keep from the model to lie on another's guide; nobody sees it. None: where a face leans a little, the second line goes off the guide and back as the first one
-/// moves by a fraction of a pixel.
+/// px. By how much less than handleSpacing a line that lies on another's guide may keep from the model to stay there; nobody sees it. None: where a face leans a little, it goes off the guide and
+/// back as the other one moves by a fraction of a pixel.
 inline constexpr double kGuideSlackPx = 0.2;
 
 /// px. Clearance of a label's box from the silhouette, from lines and from other labels. Below about 3 px text seems to

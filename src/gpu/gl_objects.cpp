@@ -54,6 +54,15 @@ Framebuffer bindFramebufferOf(const GlContext& context, GLuint colorTexture, GLu
   return framebuffer;
 }
 
+DrawnTexture makeDrawnTexture(const GlContext& context, GLenum colorFormat, int width, int height) {
+  DrawnTexture made;
+  made.width = width;
+  made.height = height;
+  made.texture = makeTexture2D(context, colorFormat, width, height, Sampling::kNearest);
+  made.framebuffer = bindFramebufferOf(context, made.texture.id(), 0);
+  return made;
+}
+
 Result<Framebuffer> makeFramebuffer(const GlContext& context, std::string_view label, GLuint colorTexture, GLuint depthTexture) {
   Framebuffer framebuffer = bindFramebufferOf(context, colorTexture, depthTexture);
   if (Status status = checkFramebuffer(label); !status) return status.error();

@@ -121,6 +121,16 @@ Framebuffer bindFramebufferOf(const GlContext& context, GLuint colorTexture, GLu
 /// The same, checked. An error names `label`.
 Result<Framebuffer> makeFramebuffer(const GlContext& context, std::string_view label, GLuint colorTexture, GLuint depthTexture);
 
+/// A texture of one level, and the framebuffer that draws to it.
+struct DrawnTexture {
+  Texture texture;
+  Framebuffer framebuffer;
+  int width = 0, height = 0;
+};
+
+/// One whose colours are looked up unfiltered, of a format that OpenGL ES 3.0 calls renderable. Its framebuffer is bound when it returns.
+DrawnTexture makeDrawnTexture(const GlContext& context, GLenum colorFormat, int width, int height);
+
 /// An error naming `label` unless the bound framebuffer can be drawn to.
 Status checkFramebuffer(std::string_view label);
 

@@ -1,6 +1,7 @@
 #include "gpu/gpu_fields.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 
@@ -41,70 +42,58 @@ GpuFields::GpuFields(const GlContext& context)
                                   .fragment = {shaders::extremes_frag},
                                   .defines = "#define FIRST_STEP 1\n"}),
       stepProgram_(context, {.label = "extremes", .vertex = {shaders::fullscreen_vert}, .fragment = {shaders::extremes_frag}}),
-      noVertices_(context) {
-  for (Flight& flight : flights_) flight.readback = PixelReadback(context);
-}
+      noVertices_(context),
+      flights_(context) {}
 
 void GpuFields::resize(int width, int height) {
   if (mask_.width == width && mask_.height == height) return;
-  const auto target = [&](GLenum format, int w, int h) {
-    Target made;
-    made.width = w;
-    made.height = h;
-    made.texture = makeTexture2D(*context_, format, w, h, Sampling::kNearest);
-    made.framebuffer = Framebuffer(*context_);
-    glBindFramebuffer(GL_FRAMEBUFFER, made.framebuffer.id());
-    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, made.texture.id(), 0);
-    return made;
-  };
   // All of these are drawable in every OpenGL ES 3.0 and WebGL 2. What is read back lies there as it is read: where a driver has to convert it, it waits for the GPU.
   const auto formatOf = [](int left) { return left == 1 ? GL_RGBA32UI : GL_RG16UI; };
-  mask_ = target(GL_R8, width, height);
+  mask_ = makeDrawnTexture(*context_, GL_R8, width, height);
   rowSteps_.clear();
   columnSteps_.clear();
   for (int w = stepped(width);; w = stepped(w)) {
-    rowSteps_.push_back(target(formatOf(w), w, height));
+    rowSteps_.push_back(makeDrawnTexture(*context_, formatOf(w), w, height));
     if (w == 1) break;
   }
   for (int h = stepped(height);; h = stepped(h)) {
-    columnSteps_.push_back(target(formatOf(h), width, h));
+    columnSteps_.push_back(makeDrawnTexture(*context_, formatOf(h), width, h));
     if (h == 1) break;
   }
 }
 
 std::uint64_t GpuFields::request(const GpuScene& scene, const View& view, double devicePixelRatio) {
-  const auto free = std::find_if(flights_.begin(), flights_.end(), [](const Flight& f) { return f.number == 0; });
-  if (free == flights_.end()) return 0;
+  auto* const flight = flights_.begin();
+  if (flight == nullptr) return 0;
   const int limit = std::min(context_->maxTextureSize(), static_cast<int>(MaskExtremes::kNothing) - 1);
   const double ratio = std::min(devicePixelRatio, limit / std::max(view.widthPx(), view.heightPx()));
-  Flight& flight = *free;
-  flight.number = ++lastNumber_;
-  flight.reduction = reduction_;
-  flight.widthPx = view.widthPx();
-  flight.heightPx = view.heightPx();
-  flight.width = std::clamp(static_cast<int>(std::lround(view.widthPx() * ratio)), 1, limit);
-  flight.height = std::clamp(static_cast<int>(std::lround(view.heightPx() * ratio)), 1, limit);
-  resize(flight.width, flight.height);
+  MaskSent& sent = flight->what;
+  sent.reduction = reduction_;
+  sent.widthPx = view.widthPx();
+  sent.heightPx = view.heightPx();
+  sent.width = std::clamp(static_cast<int>(std::lround(view.widthPx() * ratio)), 1, limit);
+  sent.height = std::clamp(static_cast<int>(std::lround(view.heightPx() * ratio)), 1, limit);
+  resize(sent.width, sent.height);
   drawMask(scene, view);
 
-  const auto width = static_cast<std::size_t>(flight.width);
-  const auto height = static_cast<std::size_t>(flight.height);
+  const auto width = static_cast<std::size_t>(sent.width);
+  const auto height = static_cast<std::size_t>(sent.height);
   if (reduction_ == FieldReduction::kOnGpu) {
-    flight.readback.begin((width + height) * kIntegerPixelBytes);
+    flight->readback.begin((width + height) * kIntegerPixelBytes);
     reduce(true);
-    flight.readback.read(0, 0, 1, flight.height, GL_RGBA_INTEGER, GL_UNSIGNED_INT, 0);
+    flight->readback.read(0, 0, 1, sent.height, GL_RGBA_INTEGER, GL_UNSIGNED_INT, 0);
     reduce(false);
-    flight.readback.read(0, 0, flight.width, 1, GL_RGBA_INTEGER, GL_UNSIGNED_INT, height * kIntegerPixelBytes);
+    flight->readback.read(0, 0, sent.width, 1, GL_RGBA_INTEGER, GL_UNSIGNED_INT, height * kIntegerPixelBytes);
   } else {
     GLint format = 0;
     glGetIntegerv(GL_IMPLEMENTATION_COLOR_READ_FORMAT, &format);
-    flight.bytesPerPixel = format == GL_RED ? 1 : 4;
-    flight.readback.begin(width * height * static_cast<std::size_t>(flight.bytesPerPixel));
-    flight.readback.read(0, 0, flight.width, flight.height, format == GL_RED ? GL_RED : GL_RGBA, GL_UNSIGNED_BYTE, 0);
+    sent.bytesPerPixel = format == GL_RED ? 1 : 4;
+    flight->readback.begin(width * height * static_cast<std::size_t>(sent.bytesPerPixel));
+    flight->readback.read(0, 0, sent.width, sent.height, format == GL_RED ? GL_RED : GL_RGBA, GL_UNSIGNED_BYTE, 0);
   }
-  flight.readback.end();
+  flight->readback.end();
   glBindFramebuffer(GL_FRAMEBUFFER, 0);
-  return flight.number;
+  return flight->number;
 }
 
 void GpuFields::drawMask(const GpuScene& scene, const View& view) {
@@ -125,12 +114,12 @@ void GpuFields::drawMask(const GpuScene& scene, const View& view) {
   scene.drawPositions();
 }
 
-const GpuFields::Target& GpuFields::reduce(bool alongRows) {
-  const std::vector<Target>& steps = alongRows ? rowSteps_ : columnSteps_;
+const DrawnTexture& GpuFields::reduce(bool alongRows) {
+  const std::vector<DrawnTexture>& steps = alongRows ? rowSteps_ : columnSteps_;
   glBindVertexArray(noVertices_.id());
   glActiveTexture(GL_TEXTURE0);
-  const Target* from = &mask_;
-  for (const Target& to : steps) {
+  const DrawnTexture* from = &mask_;
+  for (const DrawnTexture& to : steps) {
     const bool first = from == &mask_;
     (first ? firstStepProgram_ : stepProgram_).use();
     glUniform2i(first ? firstAxis_ : stepAxis_, alongRows ? 1 : 0, alongRows ? 0 : 1);
@@ -144,35 +133,19 @@ const GpuFields::Target& GpuFields::reduce(bool alongRows) {
   return *from;
 }
 
-std::optional<std::uint64_t> GpuFields::poll(DistanceFields& fields) {
-  Flight* newest = nullptr;
-  for (Flight& flight : flights_) {
-    if (flight.number == 0 || (newest != nullptr && flight.number < newest->number) || !flight.readback.ready()) continue;
-    newest = &flight;
-  }
-  if (newest == nullptr) return std::nullopt;
-  const std::uint64_t number = newest->number;
-  land(*newest, fields);
-  return number;
-}
+std::optional<std::uint64_t> GpuFields::poll(DistanceFields& fields) { return land(flights_.newestArrived(), fields); }
 
-std::optional<std::uint64_t> GpuFields::finish(DistanceFields& fields) {
-  Flight* newest = nullptr;
-  for (Flight& flight : flights_) {
-    if (flight.number != 0 && (newest == nullptr || flight.number > newest->number)) newest = &flight;
-  }
-  if (newest == nullptr) return std::nullopt;
-  const std::uint64_t number = newest->number;
-  land(*newest, fields);
-  return number;
-}
+std::optional<std::uint64_t> GpuFields::finish(DistanceFields& fields) { return land(flights_.newest(), fields); }
 
-void GpuFields::land(Flight& flight, DistanceFields& fields) {
-  const auto width = static_cast<std::size_t>(flight.width);
-  const auto height = static_cast<std::size_t>(flight.height);
-  if (flight.reduction == FieldReduction::kOnGpu) {
+/// Reads an answer, if there is one.
+std::optional<std::uint64_t> GpuFields::land(Flights<MaskSent>::Flight* flight, DistanceFields& fields) {
+  if (flight == nullptr) return std::nullopt;
+  const MaskSent& sent = flight->what;
+  const auto width = static_cast<std::size_t>(sent.width);
+  const auto height = static_cast<std::size_t>(sent.height);
+  if (sent.reduction == FieldReduction::kOnGpu) {
     bytes_.resize((width + height) * kIntegerPixelBytes);
-    flight.readback.copy(0, bytes_);
+    flight->readback.copy(0, bytes_);
     extremes_.rows.resize(height);
     extremes_.columns.resize(width);
     const auto range = [&](std::size_t pixel) {
@@ -183,24 +156,19 @@ void GpuFields::land(Flight& flight, DistanceFields& fields) {
     for (std::size_t i = 0; i < height; ++i) extremes_.rows[i] = range(i);
     for (std::size_t i = 0; i < width; ++i) extremes_.columns[i] = range(height + i);
   } else {
-    const auto stride = static_cast<std::size_t>(flight.bytesPerPixel);
+    const auto stride = static_cast<std::size_t>(sent.bytesPerPixel);
     bytes_.resize(width * height * stride);
-    flight.readback.copy(0, bytes_);
+    flight->readback.copy(0, bytes_);
     if (stride != 1) {
       gray_.resize(width * height);
       for (std::size_t i = 0; i < gray_.size(); ++i) gray_[i] = bytes_[i * stride];
     }
-    scanMask(stride == 1 ? bytes_ : gray_, flight.width, flight.height, extremes_);
+    scanMask(stride == 1 ? bytes_ : gray_, sent.width, sent.height, extremes_);
   }
-  fieldsFromExtremes(extremes_, flight.widthPx, flight.heightPx, fields);
-  // What is older than this one is of no use any more.
-  for (Flight& other : flights_) {
-    if (other.number == 0 || other.number > flight.number || &other == &flight) continue;
-    other.readback.finish();
-    other.number = 0;
-  }
-  flight.readback.finish();
-  flight.number = 0;
+  fieldsFromExtremes(extremes_, sent.widthPx, sent.heightPx, fields);
+  const std::uint64_t number = flight->number;
+  flights_.end(*flight);
+  return number;
 }
 
 }  // namespace dimline

@@ -1,15 +1,14 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <optional>
 #include <vector>
 
 #include "core/result.h"
 #include "gpu/field_scan.h"
+#include "gpu/flights.h"
 #include "gpu/gl_objects.h"
 #include "gpu/gpu_scene.h"
-#include "gpu/pixel_readback.h"
 #include "gpu/program.h"
 #include "math/camera.h"
 #include "silhouette/distance_fields.h"
@@ -47,17 +46,11 @@ class GpuFields {
   /// Waits for the newest request. Nothing when none is under way.
   std::optional<std::uint64_t> finish(DistanceFields& fields);
 
-  static constexpr std::size_t kInFlight = 3;
+  /// Nobody waits for what is under way any more.
+  void drop() { flights_.dropAll(); }
 
  private:
-  struct Target {
-    Texture texture;
-    Framebuffer framebuffer;
-    int width = 0, height = 0;
-  };
-  struct Flight {
-    PixelReadback readback;
-    std::uint64_t number = 0;   ///< 0: free
+  struct MaskSent {
     FieldReduction reduction = FieldReduction::kOnCpu;
     int width = 0, height = 0;  ///< of the mask
     double widthPx = 0, heightPx = 0;
@@ -68,18 +61,17 @@ class GpuFields {
   void resize(int width, int height);
   void drawMask(const GpuScene& scene, const View& view);
   /// Reduces the mask along one axis; returns the target that holds the extremes, bound for reading.
-  const Target& reduce(bool alongRows);
-  void land(Flight& flight, DistanceFields& fields);
+  const DrawnTexture& reduce(bool alongRows);
+  std::optional<std::uint64_t> land(Flights<MaskSent>::Flight* flight, DistanceFields& fields);
 
   const GlContext* context_;
   FieldReduction reduction_;
   Program maskProgram_, firstStepProgram_, stepProgram_;
   GLint maskMatrix_ = -1, firstAxis_ = -1, stepAxis_ = -1;
   VertexArray noVertices_;
-  Target mask_;
-  std::vector<Target> rowSteps_, columnSteps_;
-  std::array<Flight, kInFlight> flights_;
-  std::uint64_t lastNumber_ = 0;
+  DrawnTexture mask_;
+  std::vector<DrawnTexture> rowSteps_, columnSteps_;
+  Flights<MaskSent> flights_;
   std::vector<std::uint8_t> bytes_;
   std::vector<std::uint8_t> gray_;
   MaskExtremes extremes_;

@@ -1,6 +1,7 @@
 #include "gpu/gpu_visibility.h"
 
 #include <algorithm>
+#include <array>
 #include <cstring>
 
 #include <glm/gtc/type_ptr.hpp>
@@ -47,15 +48,11 @@ GpuVisibility::GpuVisibility(const GlContext& context)
       depthProgram_(context, {.label = "depth of scopes", .vertex = {shaders::instance_glsl, shaders::mask_vert}, .fragment = {shaders::depth_frag}}),
       countProgram_(context, {.label = "visibility", .vertex = {shaders::fullscreen_vert}, .fragment = {shaders::visibility_frag}}),
       sumProgram_(context, {.label = "sums of visibility", .vertex = {shaders::fullscreen_vert}, .fragment = {shaders::visibility_sum_frag}}),
-      noVertices_(context) {
-  for (Flight& flight : flights_) flight.readback = PixelReadback(context);
-}
+      noVertices_(context),
+      flights_(context) {}
 
 void GpuVisibility::setScene(const Scene& scene) {
-  for (Flight& flight : flights_) {
-    flight.readback.finish();
-    flight.number = 0;
-  }
+  drop();
   skinM_ = kScopeSkinShare * scene.bounds.diagonal();
   scopeCount_ = static_cast<int>(scene.scopes.size());
   if (scopeCount_ == 0) return;
@@ -75,41 +72,30 @@ void GpuVisibility::setScene(const Scene& scene) {
   const int columns = (scopeCount_ + rows - 1) / rows;
   if (rows == rows_ && columns == sums_.width) return;
   rows_ = rows;
-  const auto target = [&](GLenum format, int width) {
-    Target made;
-    made.width = width;
-    made.height = rows;
-    made.texture = makeTexture2D(*context_, format, width, rows, Sampling::kNearest);
-    made.framebuffer = Framebuffer(*context_);
-    glBindFramebuffer(GL_FRAMEBUFFER, made.framebuffer.id());
-    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, made.texture.id(), 0);
-    return made;
-  };
   // Both are drawable in every OpenGL ES 3.0 and WebGL 2. A part has at most the depth buffer's samples in its columns, which fit into 16 bits, as a box's edges do.
-  counts_ = target(GL_RGBA16UI, columns * kColumns);
-  sums_ = target(GL_RGBA32UI, columns);
+  counts_ = makeDrawnTexture(*context_, GL_RGBA16UI, columns * kColumns, rows);
+  sums_ = makeDrawnTexture(*context_, GL_RGBA32UI, columns, rows);
   glBindFramebuffer(GL_FRAMEBUFFER, 0);
 }
 
 std::uint64_t GpuVisibility::request(const GpuScene& scene, const View& view) {
-  const auto free = std::ranges::find(flights_, 0U, &Flight::number);
-  if (free == flights_.end() || scopeCount_ == 0 || !resizeDepth(view)) return 0;
+  if (scopeCount_ == 0 || !resizeDepth(view)) return 0;
+  auto* const flight = flights_.begin();
+  if (flight == nullptr) return 0;
   drawDepth(scene, view);
   countSamples(view);
-  Flight& flight = *free;
-  flight.number = ++lastNumber_;
-  flight.viewportSamples = static_cast<std::size_t>(depth_.width) * static_cast<std::size_t>(depth_.height);
-  flight.readback.begin(static_cast<std::size_t>(sums_.width) * static_cast<std::size_t>(sums_.height) * kIntegerPixelBytes);
-  flight.readback.read(0, 0, sums_.width, sums_.height, GL_RGBA_INTEGER, GL_UNSIGNED_INT, 0);
-  flight.readback.end();
+  flight->what.viewportSamples = static_cast<std::size_t>(depth_.width) * static_cast<std::size_t>(depth_.height);
+  flight->readback.begin(static_cast<std::size_t>(sums_.width) * static_cast<std::size_t>(sums_.height) * kIntegerPixelBytes);
+  flight->readback.read(0, 0, sums_.width, sums_.height, GL_RGBA_INTEGER, GL_UNSIGNED_INT, 0);
+  flight->readback.end();
   glBindFramebuffer(GL_FRAMEBUFFER, 0);
-  return flight.number;
+  return flight->number;
 }
 
 Status GpuVisibility::resizeDepth(const View& view) {
   const auto [width, height] = DepthBuffer::sizeFor(view, kVisibilitySamples);
   if (depth_.width == width && depth_.height == height) return okStatus();
-  Target made;
+  DrawnTexture made;
   made.width = width;
   made.height = height;
   made.texture = makeTexture2D(*context_, GL_DEPTH_COMPONENT24, width, height, Sampling::kNearest);
@@ -162,29 +148,15 @@ void GpuVisibility::countSamples(const View& view) {
   glBindVertexArray(0);
 }
 
-template <typename Wanted>
-std::optional<std::uint64_t> GpuVisibility::landNewest(ScopeVisibility& visibility, Wanted wanted) {
-  Flight* newest = nullptr;
-  for (Flight& flight : flights_) {
-    if (flight.number != 0 && (newest == nullptr || flight.number > newest->number) && wanted(flight)) newest = &flight;
-  }
-  if (newest == nullptr) return std::nullopt;
-  const std::uint64_t number = newest->number;
-  land(*newest, visibility);
-  return number;
-}
+std::optional<std::uint64_t> GpuVisibility::poll(ScopeVisibility& visibility) { return land(flights_.newestArrived(), visibility); }
 
-std::optional<std::uint64_t> GpuVisibility::poll(ScopeVisibility& visibility) {
-  return landNewest(visibility, [](Flight& flight) { return flight.readback.ready(); });
-}
+std::optional<std::uint64_t> GpuVisibility::finish(ScopeVisibility& visibility) { return land(flights_.newest(), visibility); }
 
-std::optional<std::uint64_t> GpuVisibility::finish(ScopeVisibility& visibility) {
-  return landNewest(visibility, [](const Flight&) { return true; });
-}
-
-void GpuVisibility::land(Flight& flight, ScopeVisibility& visibility) {
+/// Reads an answer, if there is one.
+std::optional<std::uint64_t> GpuVisibility::land(Flights<Counted>::Flight* flight, ScopeVisibility& visibility) {
+  if (flight == nullptr) return std::nullopt;
   bytes_.resize(static_cast<std::size_t>(sums_.width) * static_cast<std::size_t>(sums_.height) * kIntegerPixelBytes);
-  flight.readback.copy(0, bytes_);
+  flight->readback.copy(0, bytes_);
   visibility.seenShare.clear();
   visibility.seenEdges.clear();
   for (int i = 0; i < scopeCount_; ++i) {
@@ -192,16 +164,12 @@ void GpuVisibility::land(Flight& flight, ScopeVisibility& visibility) {
     const int pixel = i % rows_ * sums_.width + i / rows_;
     std::array<std::uint32_t, 4> counts{};
     std::memcpy(counts.data(), bytes_.data() + static_cast<std::size_t>(pixel) * kIntegerPixelBytes, sizeof(counts));
-    visibility.seenShare.push_back(seenShareOf({counts[0], counts[1], counts[2] != 0}, flight.viewportSamples));
+    visibility.seenShare.push_back(seenShareOf({counts[0], counts[1], counts[2] != 0}, flight->what.viewportSamples));
     visibility.seenEdges.emplace_back(counts[3]);
   }
-  // What is older than this one is of no use any more.
-  const std::uint64_t number = flight.number;
-  for (Flight& other : flights_) {
-    if (other.number == 0 || other.number > number) continue;
-    other.readback.finish();
-    other.number = 0;
-  }
+  const std::uint64_t number = flight->number;
+  flights_.end(*flight);
+  return number;
 }
 
 }  // namespace dimline

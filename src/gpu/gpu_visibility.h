@@ -1,14 +1,13 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <optional>
 #include <vector>
 
 #include "core/result.h"
+#include "gpu/flights.h"
 #include "gpu/gl_objects.h"
 #include "gpu/gpu_scene.h"
-#include "gpu/pixel_readback.h"
 #include "gpu/program.h"
 #include "math/camera.h"
 #include "silhouette/scope_visibility.h"
@@ -28,7 +27,8 @@ class GpuVisibility {
   /// Replaces the scopes. What is under way for others is dropped.
   void setScene(const Scene& scene);
 
-  /// Draws what `view` sees of `scene` and starts the way back. Returns the request's number, 1 and up, or 0 when kInFlight are under way already.
+  /// Draws what `view` sees of `scene` and starts the way back. Returns the request's number, 1 and up, or 0 when kInFlight are
+  /// under way already, when there is no scope, or when the driver refuses the depth buffer.
   std::uint64_t request(const GpuScene& scene, const View& view);
 
   /// The newest request that has arrived since the last call; older ones are dropped. Never waits.
@@ -37,17 +37,11 @@ class GpuVisibility {
   /// Waits for the newest request. Nothing when none is under way.
   std::optional<std::uint64_t> finish(ScopeVisibility& visibility);
 
-  static constexpr std::size_t kInFlight = 3;
+  /// Nobody waits for what is under way any more.
+  void drop() { flights_.dropAll(); }
 
  private:
-  struct Target {
-    Texture texture;
-    Framebuffer framebuffer;
-    int width = 0, height = 0;
-  };
-  struct Flight {
-    PixelReadback readback;
-    std::uint64_t number = 0;   ///< 0: free
+  struct Counted {
     std::size_t viewportSamples = 0;
   };
 
@@ -55,22 +49,19 @@ class GpuVisibility {
   Status resizeDepth(const View& view);
   void drawDepth(const GpuScene& scene, const View& view);
   void countSamples(const View& view);
-  void land(Flight& flight, ScopeVisibility& visibility);
-  template <typename Wanted>
-  std::optional<std::uint64_t> landNewest(ScopeVisibility& visibility, Wanted wanted);
+  std::optional<std::uint64_t> land(Flights<Counted>::Flight* flight, ScopeVisibility& visibility);
 
   const GlContext* context_;
   Program depthProgram_, countProgram_, sumProgram_;
   GLint depthMatrix_ = -1, countMatrix_ = -1, eye_ = -1, forward_ = -1, skin_ = -1, scopes_ = -1;
   VertexArray noVertices_;
-  Target depth_;
+  DrawnTexture depth_;
   Texture boxes_;
-  Target counts_, sums_;
+  DrawnTexture counts_, sums_;
   int scopeCount_ = 0;
   int rows_ = 0;   ///< scopes that stand over each other in counts_ and sums_
   double skinM_ = 0;
-  std::array<Flight, kInFlight> flights_;
-  std::uint64_t lastNumber_ = 0;
+  Flights<Counted> flights_;
   std::vector<std::uint8_t> bytes_;
 };
 

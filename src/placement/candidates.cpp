@@ -252,7 +252,8 @@ void gatherGuideCandidates(const CandidateContext& context, const UsableBaseLine
       const double offsetM = glm::dot(guide.point - candidate.foot.start, candidate.outward);
       if (!(offsetM > 0) || offsetM < leastRoomM(candidate)) continue;
       const auto slide = Slide::make(context.view, candidate.foot, candidate.outward);
-      if (!slide || leastClearingOffset(context.paddedModel, *slide) > offsetM + metresAt(candidate, kGuideSlackPx, context.view)) continue;
+      const double slackM = slipping.identity == context.history.last() ? metresAt(candidate, kGuideSlackPx, context.view) : 0.0;
+      if (!slide || leastClearingOffset(context.paddedModel, *slide) > offsetM + slackM) continue;
       candidate.placement = PlacementKind::kGuide;
       candidate.guide = static_cast<int>(i);
       if (placeAt(candidate, *slide, offsetM, context.view)) keep(context, base, candidate, *slide, candidates);

@@ -41,6 +41,14 @@ std::optional<std::uint64_t> Renderer::pollVisibility(ScopeVisibility& visibilit
   return measurer != nullptr && !visibilitySceneStale_ ? measurer->poll(visibility) : std::nullopt;
 }
 
+void Renderer::dropFields() {
+  if (GpuFields* const measurer = fields_.ifMade()) measurer->drop();
+}
+
+void Renderer::dropVisibility() {
+  if (GpuVisibility* const measurer = visibility_.ifMade()) measurer->drop();
+}
+
 bool Renderer::shows(const Shown& wanted) const {
   if (!shown_) return false;
   // A full picture that is there already is no worse than a reduced one.

@@ -49,12 +49,16 @@ class Renderer {
   /// What measures fields of the model in this context; its shaders are compiled at the first call. Null when the driver does not take them.
   [[nodiscard]] GpuFields* fields() { return fields_.get(context_); }
   [[nodiscard]] bool fieldsRefused() const { return fields_.refused(); }
+  /// Nobody waits for fields that are under way any more.
+  void dropFields();
   [[nodiscard]] const GpuScene& scene() const { return scene_; }
 
   /// How much of each scope of `scene`, the one of setScene(), is seen, measured in this context; as GpuVisibility describes it. 0 also when the driver does
   /// not take its shaders, which are compiled at the first call.
   std::uint64_t requestVisibility(const Scene& scene, const View& view);
   std::optional<std::uint64_t> pollVisibility(ScopeVisibility& visibility);
+  /// Nobody waits for what is under way of it any more.
+  void dropVisibility();
 
   [[nodiscard]] const GlContext& context() const { return context_; }
 

@@ -50,6 +50,87 @@ TEST_CASE("a viewport that changes its size in a drag changes no value, and the 
   }
 }
 
+TEST_CASE("a viewport that has no size for a moment in a drag changes no value") {
+  EditorStage stage;
+  const Vec2 at = holdDragged(stage, "Width", {-40, 0});
+  const double dragged = stage.value("Width");
+  stage.editor.resize(0, 0, 1);
+  stage.frame();
+  stage.editor.resize(1000, 500, 1);
+  for (const double byPx : {0.1, 0.2}) {   // before any line is placed in it, and after
+    stage.move(at + Vec2(byPx, 0));
+    stage.frame();
+    CHECK(stage.value("Width") == dragged);
+  }
+  const Vec2 before = stage.handle("Width");
+  stage.move(at + Vec2(20.2, 0));
+  stage.frame();
+  CHECK(stage.value("Width") > dragged);
+  CHECK(stage.handle("Width").x - before.x == Approx(20).margin(6));   // within a step
+}
+
+TEST_CASE("a viewport that changes its size while a hand turns, pans or zooms moves no camera, and the gesture goes on from there") {
+  for (const PointerButton button : {PointerButton::kPrimary, PointerButton::kSecondary, PointerButton::kMiddle}) {
+    EditorStage stage;
+    stage.down({500, 480}, button);
+    stage.move({640, 420});
+    stage.frame();
+    const Camera turned = stage.editor.camera();
+    stage.editor.resize(1000, 500, 1);
+    stage.frame();
+    CHECK(stage.editor.camera() == turned);
+    stage.move({641, 420});
+    CHECK(glm::length(stage.editor.camera().eye - turned.eye) < 0.02 * glm::length(turned.eye));
+  }
+}
+
+TEST_CASE("a camera that nobody has chosen is fitted to a viewport that changes, whatever was begun and not done") {
+  const auto fitted = [] {
+    EditorStage stage(boxWithDoor(), 1000, 500);
+    return stage.editor.camera();
+  }();
+  const auto expectFitted = [&](const auto& act) {
+    EditorStage stage;
+    const Camera opening = stage.editor.camera();
+    act(stage);
+    stage.settle();
+    CHECK(opening != fitted);
+    CHECK(glm::length(stage.editor.camera().eye - fitted.eye) < 1e-9);
+  };
+  const auto shrink = [](EditorStage& stage) { stage.editor.resize(1000, 500, 1); };
+  expectFitted([&](EditorStage& stage) { shrink(stage); });
+  expectFitted([&](EditorStage& stage) {   // pressed, and taken back
+    stage.down({500, 480});
+    stage.editor.cancelGesture();
+    shrink(stage);
+  });
+  expectFitted([&](EditorStage& stage) {   // turned, and taken back
+    stage.down({500, 480});
+    stage.move({600, 480});
+    stage.editor.cancelGesture();
+    shrink(stage);
+  });
+  expectFitted([&](EditorStage& stage) {   // turned, and taken back in the other viewport
+    stage.down({500, 480});
+    stage.move({600, 480});
+    shrink(stage);
+    stage.frame();
+    stage.editor.cancelGesture();
+  });
+  expectFitted([&](EditorStage& stage) {   // a wheel that did not turn
+    stage.editor.wheel({500, 480}, 0, {});
+    shrink(stage);
+  });
+  expectFitted([&](EditorStage& stage) {   // a hand that was there already moves by nothing
+    stage.down({500, 480});
+    shrink(stage);
+    stage.settle();
+    stage.move({500, 481});
+    stage.move({500, 480});
+    stage.up({500, 480});
+  });
+}
+
 TEST_CASE("a camera that is set in a drag ends it as letting go would") {
   const auto viewFrom = [](Editor& editor) { editor.setStandardView(StandardView::kRight); };
   const auto parallel = [](Editor& editor) { editor.setOrthographic(!editor.camera().orthographic()); };

@@ -163,6 +163,20 @@ TEST_CASE("a finger that is taken away takes back what it did, and the others go
   CHECK(stage.changes() == 1);
 }
 
+TEST_CASE("a finger that is taken away in another viewport leaves the others' values alone") {
+  FingerStage stage;
+  const auto [width, lower] = stage.takeTwo();
+  stage.move(1, width + Vec2(25, 0));
+  stage.move(2, lower + Vec2(0, -50));
+  stage.frame();
+  REQUIRE(stage.value("Width") == 5);
+  stage.editor.resize(1000, 500, 1);
+  stage.frame();
+  stage.editor.cancelPointer(2);
+  CHECK(stage.value("Width") == 5);
+  CHECK(stage.value("Lower") == 4);
+}
+
 TEST_CASE("cancelling takes back what all fingers have done since the first one went down") {
   FingerStage stage;
   const Layout before = stage.editor.layout();

@@ -205,14 +205,14 @@ TEST_CASE("requests are answered in order, the newest one counts, and no more th
   DistanceFields fields;
   CHECK_FALSE(fixture.fields.poll(fields));
   CHECK_FALSE(fixture.fields.finish(fields));
-  for (std::uint64_t number = 1; number <= GpuFields::kInFlight; ++number) {
+  for (std::uint64_t number = 1; number <= kInFlight; ++number) {
     camera.orthoHeightM = 60.0 * static_cast<double>(number);
     CHECK(fixture.fields.request(fixture.scene, View(camera, 100, 60, scene.bounds), 1) == number);
   }
   CHECK(fixture.fields.request(fixture.scene, View(camera, 100, 60, scene.bounds), 1) == 0);
 
   std::optional<std::uint64_t> arrived;
-  while (!arrived || *arrived < GpuFields::kInFlight) {
+  while (!arrived || *arrived < kInFlight) {
     if (const auto number = fixture.fields.poll(fields)) {
       CHECK((!arrived || *number > *arrived));
       arrived = number;
@@ -221,7 +221,7 @@ TEST_CASE("requests are answered in order, the newest one counts, and no more th
   // At 180 m for 60 px, 40 m are 13 1/3 px; pixels are covered where their centres are.
   CHECK(fields[ViewportEdge::kLeft].at(30) == Approx(43).margin(0.5));
   CHECK_FALSE(fixture.fields.poll(fields));
-  CHECK(fixture.fields.request(fixture.scene, View(camera, 100, 60, scene.bounds), 1) == GpuFields::kInFlight + 1);
+  CHECK(fixture.fields.request(fixture.scene, View(camera, 100, 60, scene.bounds), 1) == kInFlight + 1);
 }
 
 TEST_CASE("a viewport larger than the driver's largest texture is measured more coarsely") {
