@@ -285,6 +285,16 @@ void gatherOutsideCandidates(const CandidateContext& context, const UsableBaseLi
   });
 }
 
+void gatherInHand(const CandidateContext& context, const UsableBaseLine& base, const Segment& inHand, std::vector<Candidate>& candidates) {
+  forEachSlip(context, base, [&](Candidate& candidate) {
+    const auto slide = Slide::make(context.view, candidate.foot, candidate.outward);
+    if (!slide || !placeAt(candidate, *slide, glm::dot(inHand.start - candidate.foot.start, candidate.outward), context.view)) return;
+    candidate.guide = context.guides.through(candidate.line, candidate.plane.plane, context.toleranceM);
+    candidate.placement = candidate.guide >= 0 ? PlacementKind::kGuide : PlacementKind::kOutside;
+    candidates.push_back(candidate);
+  });
+}
+
 void gatherInsideCandidate(const CandidateContext& context, const UsableBaseLine& base, const Obb& scope, bool plain,
                            std::vector<Candidate>& candidates) {
   Candidate candidate;

@@ -109,6 +109,9 @@ void gatherGuideCandidates(const CandidateContext& context, const UsableBaseLine
 /// within the viewport's margin. The last frame's choice may have a second offset besides (Candidate::secondOffset).
 void gatherOutsideCandidates(const CandidateContext& context, const UsableBaseLine& base, std::vector<Candidate>& candidates);
 
+/// Adds the last frame's choice (`only`) on the carrier of a line that is in the hand, whatever is there.
+void gatherInHand(const CandidateContext& context, const UsableBaseLine& base, const Segment& inHand, std::vector<Candidate>& candidates);
+
 /// Adds the base line itself (algorithm 1, line 9), unless it would be shown anew for the last moments of its feature in the picture; they are longer when the scope is not in plain view.
 void gatherInsideCandidate(const CandidateContext& context, const UsableBaseLine& base, const Obb& scope, bool plain, std::vector<Candidate>& candidates);
 

@@ -28,6 +28,7 @@ bool Chooser::choose(const Measured& measured, const ChoiceContext& context, His
   const CandidateContext candidates{measured.annotation, context.view, context.occupied.padded(), context.occupied.paddedModel(), context.occupied.guides(),
                                     context.objectPlanes, context.viewMoved, history, context.toleranceM, slipPlanes_, context.foresight,
                                     factor * leastLengthPx(measured.annotation), nullptr, context.avoid, false, context.showAll, context.sights, measured.textSize, context.kind};
+  if (context.inHand != nullptr && chooseInHand(measured, candidates, context)) return true;
   if (context.firm && chooseAgain(measured, candidates, context)) return true;
   chainBases_.clear();
   for (std::size_t i = 0; i < measured.clusters.size(); ++i) {
@@ -83,6 +84,23 @@ bool Chooser::gatherBases(const Measured& measured, const ChoiceContext& context
     if (context.usable[scope] != 0) gatherBaseLines(measured.annotation, context.scopes[scope], scope, context.view, factor, bases_, tally_);
   }
   return !bases_.empty();
+}
+
+/// The chain of which one member is dragged: it goes with that member, which stays on its carrier.
+bool Chooser::chooseInHand(const Measured& measured, const CandidateContext& candidates, const ChoiceContext& context) {
+  const Identity& last = candidates.history.last();
+  if (last.chain < 0 || static_cast<std::size_t>(last.chain) >= measured.clusters.size()) return false;
+  chainBases_.clear();
+  gatherChainBaseLines(measured.clusters[static_cast<std::size_t>(last.chain)], last.chain, context.view, context.usable, chainBases_);
+  CandidateContext again = candidates;
+  again.only = &last;
+  candidates_.clear();
+  for (const UsableBaseLine& base : chainBases_) gatherInHand(again, base, *context.inHand, candidates_);
+  if (candidates_.empty() || !trial_.takeAsItIs(candidates_.front(), measured, context)) return false;
+  winner_ = candidates_.front();
+  winnerAmongOthers_ = Trial::amongOthers(winner_, measured, context, -std::numeric_limits<double>::infinity());
+  trial_.swapLines(winnerLines_);
+  return true;
 }
 
 /// The last frame's choice outside, when it still is a place, has not leapt and runs into no line.

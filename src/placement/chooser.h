@@ -38,6 +38,7 @@ class Chooser {
   enum class Outside { kNone, kWaits, kFound };
   Outside chooseOutside(const Measured& measured, const CandidateContext& candidates, const ChoiceContext& context, History* waits);
   bool chooseOutside(std::span<const UsableBaseLine> bases, const Measured& measured, const CandidateContext& candidates, const ChoiceContext& context);
+  bool chooseInHand(const Measured& measured, const CandidateContext& candidates, const ChoiceContext& context);
   bool chooseAgain(const Measured& measured, const CandidateContext& candidates, const ChoiceContext& context);
   bool chooseBest(const Measured& measured, const ChoiceContext& context, const History& history);
   bool chooseInside(const CandidateContext& candidates, const ChoiceContext& context);

@@ -155,7 +155,12 @@ void Placer::State::placeFrom(std::size_t firstTurn, const FrameToPlace& frame, 
       continue;
     }
     const Identity* avoid = !avoided.empty() && avoided[rank] != Identity{} ? &avoided[rank] : nullptr;
-    placeLines(rank, contextOf(frame, object, measured, avoid), values.at(measured.parameter), layout);
+    ChoiceContext context = contextOf(frame, object, measured, avoid);
+    if (isHeld) {
+      hold(*inHand);
+      context.inHand = &inHand->line;
+    }
+    placeLines(rank, context, values.at(measured.parameter), layout);
     if (isHeld) occupied.reserve(*inHand);
   }
 }
@@ -196,7 +201,7 @@ void Placer::State::placeAllHidden(const FrameToPlace& frame, Layout& layout) {
 
 ChoiceContext Placer::State::contextOf(const FrameToPlace& frame, const ObjectPlanesInFrame& object, const Measured& measured, const Identity* avoid) {
   return {frame.view, frame.fields, occupied, past.lookAhead, past.labels, object, foresight, scopes, usableScopes(measured), past.sights, toleranceM, frame.viewMoved,
-          firm, patient(), avoid, asksForRoom, kind, showAll};
+          firm, patient(), avoid, nullptr, asksForRoom, kind, showAll};
 }
 
 /// Lines inside the model get their labels last, where there is room for them: such a line says what it is by where it lies, and all else has no other way to say it.
@@ -357,14 +362,19 @@ void Placer::State::landChoice(const Measured& measured, double value, Layout& l
   }
 }
 
-/// A line that is being dragged stays on its carrier, whatever this frame would have chosen for it.
-void Placer::State::landHeld(Measured& measured, const PlacedLine& held, Layout& layout) {
-  label(measured, parameters[held.parameter], held.value);
+/// Remembers where a line lies that is being dragged, for when it is let go of.
+void Placer::State::hold(const PlacedLine& held) {
   const Vec3 along = unitOrZero(held.line.end - held.line.start);
   const Vec3 fromFoot = held.line.start - held.foot.start;
   Identity place = held.identity;
   if (place.chain >= 0) place.scopeIndex = -1;   // that of the chain, not of its member
   past.histories[held.parameter].hold(place, glm::length(fromFoot - along * glm::dot(fromFoot, along)));
+}
+
+/// A line that is being dragged stays on its carrier, whatever this frame would have chosen for it.
+void Placer::State::landHeld(Measured& measured, const PlacedLine& held, Layout& layout) {
+  label(measured, parameters[held.parameter], held.value);
+  hold(held);
   if (held.placement != PlacementKind::kInside) {
     past.lookAhead.note(held.parameter, held.base, held.foot, held.line);
   } else {

@@ -184,6 +184,7 @@ struct Placer::State {
   void judgeChoice(std::size_t rank, const History& history);
   void judgeHidden(const History& history);
   void landChoice(const Measured& measured, double value, Layout& layout);
+  void hold(const PlacedLine& held);
   void landHeld(Measured& measured, const PlacedLine& held, Layout& layout);
   int guideThrough(const PlacedLine& line);
   void placeOther(const Measured& measured, const FrameToPlace& frame, Layout& layout);

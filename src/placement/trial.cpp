@@ -177,6 +177,12 @@ bool Trial::settle(Candidate& candidate, const Measured& measured, const ChoiceC
   return true;
 }
 
+bool Trial::takeAsItIs(const Candidate& candidate, const Measured& measured, const ChoiceContext& context) {
+  if (!expand(candidate, measured, context)) return false;
+  placeLabels(candidate, measured, context);
+  return true;
+}
+
 /// As many lines carry a text as have room without being in the way of what is ahead, or else the first that has room; false when none has.
 bool Trial::placeLabels(const Candidate& candidate, const Measured& measured, const ChoiceContext& context) {
   labels_.clear();

@@ -29,6 +29,7 @@ struct ChoiceContext {
   bool firm = false;                        ///< the last frame's place is kept wherever it still is one
   bool patient = false;                     ///< what has had a better kind of place for less than kPatienceFrames, or kPatienceSmallViewportFrames, does not take it yet
   const Identity* avoid = nullptr;          ///< a place that is not looked at
+  const Segment* inHand = nullptr;          ///< a line of the same chain that is dragged, and with which it goes
   bool asksForRoom = false;                 ///< labels may yet give way, in another round of the same frame
   FrameKind kind;
   bool showAll = false;                     ///< base lines that are short or point at the viewer can be used too
@@ -72,6 +73,8 @@ class Trial {
 
   /// Expands a candidate to lines() and gives it a label, moving it further out where the label has no room. False when there is none.
   bool settle(Candidate& candidate, const Measured& measured, const ChoiceContext& context);
+  /// The same where it is, with a label or without.
+  bool takeAsItIs(const Candidate& candidate, const Measured& measured, const ChoiceContext& context);
   /// Adds what the extension lines of a chain's members run across: of the chain itself, the score knows those at its ends alone, where there may be no member left. After settle().
   void addMembers(AmongOthers& among, const ChoiceContext& context);
   /// Moves a candidate that runs across another's extension line, or across whose extension line another runs, further out until none does, where there is such an offset and its

@@ -319,3 +319,44 @@ TEST_CASE("in every model, frames of an orbit allocate nothing once it has been 
     CHECK(fly() == 0);
   }
 }
+
+TEST_CASE("a chain goes with the member that is dragged", "[models]") {
+  constexpr double kApartPx = 0.5;
+  int drags = 0;
+  for (const BuiltInModel& builtIn : builtInModels()) {
+    if (!tested(builtIn.name)) continue;
+    EditorStage stage(builtIn.define(), 1000, 700);
+    const std::vector<PlacedLine> opening = stage.editor.layout().lines;
+    for (std::size_t i = 0; i < opening.size(); ++i) {
+      const PlacedLine& member = opening[i];
+      const bool first = std::ranges::find(opening, member.parameter, &PlacedLine::parameter) == opening.begin() + static_cast<std::ptrdiff_t>(i);
+      if (member.chain < 0 || member.handles.empty() || !first) continue;
+      const Vec2 at = member.handles.front().screen;
+      if (stage.down(at) != PointerTarget::kHandle || stage.gesture()->parameter != member.parameter) {
+        stage.editor.cancelGesture();
+        continue;
+      }
+      ++drags;
+      const Vec2 outward = glm::normalize(member.lineScreen.end - member.lineScreen.start);
+      for (const double byPx : {2.0, 4.0, 6.0, 9.0, 12.0, -3.0, -6.0}) {
+        stage.move(at + outward * byPx);
+        stage.settle();
+        const Layout& layout = stage.editor.layout();
+        const auto states = stage.editor.lineStates();
+        const auto dragged = static_cast<std::size_t>(std::ranges::find(states, true, &Editor::LineState::dragged) - states.begin());
+        REQUIRE(dragged < states.size());
+        const PlacedLine* const held = &layout.lines[dragged];
+        const Vec2 along = glm::normalize(held->lineScreen.end - held->lineScreen.start);
+        for (const PlacedLine& line : layout.lines) {
+          if (line.parameter != member.parameter || line.identity.chain != held->identity.chain) continue;
+          INFO(builtIn.name << ", " << stage.editor.model().parameters()[member.parameter].name << " by " << byPx << " px, scope " << line.scope);
+          const Vec2 apart = line.lineScreen.start - held->lineScreen.start;
+          CHECK(std::abs(along.x * apart.y - along.y * apart.x) < kApartPx);
+        }
+      }
+      stage.editor.cancelGesture();
+      stage.settle();
+    }
+  }
+  CHECK(drags > 5);
+}
