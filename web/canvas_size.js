@@ -5,6 +5,7 @@ export class CanvasSize {
   #stage;
   #canvas;
   #device = null; // [width, height] in device pixels
+  #ratio = 1; // device pixels per CSS pixel, with what CSS zoom adds
   #applied = "";
 
   /**
@@ -46,11 +47,12 @@ export class CanvasSize {
   #measure(entry) {
     const before = this.#device;
     const { clientWidth, clientHeight } = this.#stage;
-    const rounded = [Math.round(clientWidth * devicePixelRatio), Math.round(clientHeight * devicePixelRatio)];
+    this.#ratio = devicePixelRatio * (this.#stage.currentCSSZoom ?? 1);
+    const rounded = [Math.round(clientWidth * this.#ratio), Math.round(clientHeight * this.#ratio)];
     const box = entry?.devicePixelContentBoxSize?.[0];
     const exact = box ? [box.inlineSize, box.blockSize] : rounded;
     // A browser that plays another device reports the pixels of the real one here.
-    const sound = exact.every((size, i) => Math.abs(size - rounded[i]) <= Math.ceil(devicePixelRatio));
+    const sound = exact.every((size, i) => Math.abs(size - rounded[i]) <= Math.ceil(this.#ratio));
     this.#device = sound ? exact : rounded;
     return !before?.every((size, i) => size === this.#device[i]);
   }
@@ -62,7 +64,7 @@ export class CanvasSize {
    */
   apply(gl, resize) {
     let [width, height] = this.#device;
-    let ratio = devicePixelRatio;
+    let ratio = this.#ratio;
     const limit = gl.getParameter(gl.MAX_RENDERBUFFER_SIZE) || 4096;
     const shrink = Math.max(1, width / limit, height / limit);
     if (shrink > 1) [width, height, ratio] = [Math.floor(width / shrink), Math.floor(height / shrink), ratio / shrink];

@@ -24,7 +24,7 @@ const kGltf = { script: new URL("./build/dimline_gltf.js", import.meta.url), was
  *
  * @param {object} [options]
  * @param {string | URL} [options.url] where dimline.js lies, seen from this file, with the three other files of the build beside it; in build/ by default
- * @param {number} [options.attempt] how often it was tried before
+ * @param {number} [options.attempt] how often that has failed before
  */
 export async function createCore({ url, attempt = 0 } = {}) {
   const custom = url === undefined ? null : new URL(url, kHere);
@@ -54,7 +54,9 @@ async function startModule({ script, wasm }, attempt, entry) {
   try {
     module = await createModule({ locateFile: () => String(wasm) });
   } catch (cause) {
-    throw new Error(`${name(wasm)} could not be loaded from ${wasm}, or not be started. Is it there, and the network up?`, { cause });
+    const refused = cause instanceof WebAssembly.CompileError || /Content Security Policy/i.test(cause?.message);
+    const advice = refused ? "Does the page's policy allow 'wasm-unsafe-eval' (script-src)?" : "Is it there, and the network up?";
+    throw new Error(`${name(wasm)} could not be loaded from ${wasm}, or not be started. ${advice}`, { cause });
   }
   if (!module[entry]) throw isNoModule();
   return module;

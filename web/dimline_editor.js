@@ -1,3 +1,4 @@
+import { cameraMoveOf } from "./camera_keys.js";
 import { CanvasSize } from "./canvas_size.js";
 import { createCore } from "./core.js";
 import { make } from "./dom.js";
@@ -77,7 +78,8 @@ export class DimlineEditor extends Base {
   #frameRequest = 0;
   #lastFrameMs = 0;
   #size = null; // CanvasSize
-  #attempt = 0;
+  #failures = 0; // of the core to start, one after the other
+  #problem = null; // the core's, as it is shown; null before the first picture
   #error = null;
 
   constructor() {
@@ -324,7 +326,7 @@ export class DimlineEditor extends Base {
       const value = this[name];
       delete this[name];
       const assign = () => (this[name] = value);
-      if (forCore.includes(name)) this.ready.then(assign, () => {});
+      if (forCore.includes(name)) this.ready.then(() => this.#try(assign), () => {});
       else assign();
     }
   }
@@ -362,7 +364,7 @@ export class DimlineEditor extends Base {
     try {
       const url = this.#coreAddress();
       // Making a context can take long, and the core's files come in meanwhile.
-      const coming = createCore({ url, attempt: this.#attempt++ });
+      const coming = createCore({ url, attempt: this.#failures });
       const font = loadLabelFont(this.ownerDocument);
       const size = new CanvasSize(
         this.#parts.stage,
@@ -372,6 +374,7 @@ export class DimlineEditor extends Base {
       );
       const gl = makeContextBefore(coming, this.#parts.canvas);
       const core = await coming;
+      this.#failures = 0;
       if (listening.signal.aborted) {
         core.dispose();
         return;
@@ -390,11 +393,14 @@ export class DimlineEditor extends Base {
       while (this.#loading) await this.#loading.done;
       this.#drawNow();
       if (this.#core?.problem) throw new Error(this.#core.problem);
+      this.#problem = "";
       if (listening.signal.aborted) return;
       if (this.#shown === null && this.#refusal) this.#ready.reject(this.#refusal);
       else this.#ready.resolve();
     } catch (error) {
-      if (!listening.signal.aborted) this.#fail(error);
+      if (listening.signal.aborted) return;
+      if (!this.#core) ++this.#failures;
+      this.#fail(error);
     }
   }
 
@@ -406,8 +412,8 @@ export class DimlineEditor extends Base {
   #build(signal) {
     const canvas = make("canvas", {
       tabindex: "0",
-      role: "img",
-      "aria-label": "3D view. Drag to turn it, use the wheel to zoom, press F to fit.",
+      role: "application",
+      "aria-label": "3D view. Drag or press arrow keys to turn it, with Shift to move it; wheel, plus and minus zoom, F fits.",
       part: "canvas",
     });
     const stage = make("div", { class: "stage" }, canvas, make("div", { class: "ring" }));
@@ -429,6 +435,7 @@ export class DimlineEditor extends Base {
     this.#input = new PointerInput(stage, canvas, host, signal);
     this.#overlay = new Overlay(stage, host, signal);
     this.addEventListener("keydown", (event) => this.handleKey(event), { signal });
+    canvas.addEventListener("keydown", (event) => this.#turnByKey(event), { signal });
     const endPeeking = (event) => (event.type === "blur" || event.key?.toLowerCase() === "h") && this.#peek(false);
     window.addEventListener("keyup", endPeeking, { signal, capture: true });
     window.addEventListener("blur", endPeeking, { signal });
@@ -448,6 +455,13 @@ export class DimlineEditor extends Base {
     stage.addEventListener("pointerdown", () => canvas.removeAttribute("data-ring"), { signal });
   }
 
+  #turnByKey(event) {
+    const move = cameraMoveOf(event, this.#parts.stage.getBoundingClientRect());
+    if (!move || this.#input.active) return;
+    event.preventDefault();
+    this.#act(move);
+  }
+
   #dispose() {
     const listening = this.#listening;
     if (!listening) return;
@@ -465,7 +479,7 @@ export class DimlineEditor extends Base {
     this.#peeking = false;
     this.#size = null;
     this.#shown = null;
-    this.#error = this.#refusal = null;
+    this.#error = this.#refusal = this.#problem = null;
     const gone = new Error("The editor left the document.");
     this.#ready.reject(gone);
     this.#ready = makeDeferred();
@@ -573,6 +587,7 @@ export class DimlineEditor extends Base {
       const gl = this.#parts.canvas.getContext("webgl2");
       this.#size.apply(gl, (width, height, ratio) => this.#core.resize(width, height, ratio));
       const more = this.#core.frame(nowMs);
+      this.#showProblem(this.#core.problem);
       if (this.#shown !== null) this.#parts.canvas.toggleAttribute("data-drawn", true);
       const rests = !more && this.#core.atRest;
       const events = this.#core.takeEvents();
@@ -584,6 +599,15 @@ export class DimlineEditor extends Base {
       if (more || (!rests && this.#settling.any)) this.#requestFrame();
       for (const type of events) this.dispatchEvent(new Event(type, { bubbles: true, composed: true }));
     });
+  }
+
+  // The driver may refuse a picture at any time, as when it has become too large, and take the next one.
+  #showProblem(problem) {
+    if (this.#problem === null || problem === this.#problem) return;
+    this.#problem = problem;
+    if (!problem) return this.#parts.message.hide();
+    this.#parts.message.show("The picture cannot be drawn.", problem);
+    this.#tellError(new Error(problem));
   }
 
   #describe() {
@@ -700,6 +724,15 @@ export class DimlineEditor extends Base {
       this.#parts.message.show("The editor cannot be shown.", error.message, true);
     }
     this.#tellError(error);
+  }
+
+  // What nobody waits for has nobody to throw to.
+  #try(call) {
+    try {
+      call();
+    } catch (error) {
+      this.#tellError(error);
+    }
   }
 
   #tellError(error) {

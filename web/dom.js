@@ -1,5 +1,17 @@
 /** Makes elements in few words. */
 
+/**
+ * A button that can be used or not. One that has the focus keeps it, or whoever is there by the keyboard would be nowhere; it only says that it does nothing, which
+ * its click has to keep to.
+ */
+export function setEnabled(button, enabled) {
+  const focused = button.matches(":focus");
+  if (enabled) button.removeAttribute("aria-disabled");
+  else button.setAttribute("aria-disabled", "true");
+  button.disabled = !enabled && !focused;
+  if (!enabled && focused) button.addEventListener("blur", () => (button.disabled = button.ariaDisabled === "true"), { once: true });
+}
+
 /** @param {Record<string, string | boolean | null>} attributes true is an attribute without a value; false and null are none */
 export function make(tag, attributes = {}, ...children) {
   const node = document.createElement(tag);

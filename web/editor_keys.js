@@ -20,6 +20,8 @@ export function commandOf(event, editor, peek) {
   if (step) return () => editor[step]();
   if (event.altKey || event.ctrlKey || event.metaKey) return null;
   const command = plainKeyOf(event, editor, peek);
+  // A key that is held down switches once.
+  if (command && event.repeat && command !== peek) return () => {};
   // What moves the picture or the lines under a hand that drags waits until it lets go; undo takes the drag back.
   return command && editor.gestures.length > 0 ? () => {} : command;
 }

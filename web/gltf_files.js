@@ -24,7 +24,7 @@ async function fetchBytes(url, signal) {
   } catch (cause) {
     if (signal?.aborted) throw cause;
     throw new Error(
-      `${url} could not be fetched: is the address right, and does that server allow this page to read it?`,
+      `${url} could not be fetched: is the address right, does that server allow this page to read it, and does this page's own policy (connect-src) allow it to?`,
       { cause },
     );
   }
@@ -32,7 +32,12 @@ async function fetchBytes(url, signal) {
     throw new Error(
       `${url} could not be fetched: the server answered ${response.status} ${response.statusText}`.trim() + ".",
     );
-  return new Uint8Array(await response.arrayBuffer());
+  try {
+    return new Uint8Array(await response.arrayBuffer());
+  } catch (cause) {
+    if (signal?.aborted) throw cause;
+    throw new Error(`${url} broke off before its end. Try again.`, { cause });
+  }
 }
 
 /**

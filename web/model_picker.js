@@ -1,13 +1,8 @@
 /** The menu of models: a button that says which one is shown, and a dialog with a picture of each. */
 
-const kThumbnails = "assets/thumbnails";
+import { make } from "./dom.js";
 
-function make(tag, attributes = {}, ...children) {
-  const node = document.createElement(tag);
-  for (const [name, value] of Object.entries(attributes)) node.setAttribute(name, value);
-  node.append(...children);
-  return node;
-}
+const kThumbnails = "assets/thumbnails";
 
 export class ModelPicker {
   #button;
@@ -52,7 +47,9 @@ export class ModelPicker {
 
   #fetchPictures() {
     for (const picture of this.#cards.querySelectorAll("img[data-src]")) {
-      picture.src = picture.dataset.src;
+      const { src } = picture.dataset;
+      picture.addEventListener("error", () => (picture.dataset.src = src), { once: true }); // to be tried again
+      picture.src = src;
       picture.removeAttribute("data-src");
     }
   }

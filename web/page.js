@@ -1,5 +1,6 @@
 import { modelOf, valuesOf, withModel, withValues } from "./address.js";
 import "./dimline_editor.js";
+import { setEnabled } from "./dom.js";
 import { isGltfUrl } from "./gltf_files.js";
 import { ModelPicker } from "./model_picker.js";
 import { stepped } from "./numbers.js";
@@ -20,6 +21,7 @@ const firstModel = editor.model;
 const modelOfAddress = () => modelOf(location.href) ?? firstModel;
 editor.model = modelOfAddress();
 
+let loads = 0;
 let shownModel = null;
 let refusedModel = null; // was asked for last and could not be had, so that the one before it is shown
 // The one that is shown, or on its way.
@@ -52,6 +54,7 @@ function slide(name, value) {
 const parameterOf = (name) => editor.getParameters().find((parameter) => parameter.name === name);
 
 const panel = new Panel(byId("parameters"), {
+  tell,
   set: (values) => attempt(() => editor.setParameters(values)),
   slide,
   step: (name, steps) => slide(name, stepped(parameterOf(name), steps)),
@@ -59,6 +62,7 @@ const panel = new Panel(byId("parameters"), {
     if (!sliding) return;
     sliding = false;
     attempt(() => editor.endContinuous());
+    showValues(); // one that ends where it began is followed by no change
   },
   read: (name, text) => editor.parseValue(name, text),
   mark: () => editor.decimalMark,
@@ -86,32 +90,48 @@ function say(sentence) {
   silence = setTimeout(() => (byId("status").textContent = ""), kSentenceMs);
 }
 
-function showHistory() {
-  byId("undo").disabled = !editor.canUndo;
-  byId("redo").disabled = !editor.canRedo;
+// For those who hear the page: what they can see is not said.
+function tell(sentence) {
+  byId("told").textContent = "";
+  setTimeout(() => (byId("told").textContent = sentence)); // the same again is said again
 }
 
-function showValues(live) {
+function showHistory() {
+  setEnabled(byId("undo"), editor.canUndo);
+  setEnabled(byId("redo"), editor.canRedo);
+}
+
+// live: a drag in the picture drives them, and rows that change are marked; underWay: they go on changing, and what is dear waits until they do not.
+function showValues({ live = false, underWay = live } = {}) {
   const parameters = editor.getParameters();
   panel.show(parameters, live);
   panel.showMeasures(editor.getMeasures());
-  if (!live) markIdle();
-  byId("reset-all").disabled = parameters.every((p) => p.value === p.default);
+  if (!underWay) markIdle();
+  setEnabled(byId("reset-all"), parameters.some((p) => p.value !== p.default));
   showHistory();
 }
 
 // Where the fields come from a graphics card, the lines of this frame may be those of the last: it is looked again when all is at rest.
+let settling = null;
 function markIdle() {
-  const mark = () => {
-    const idle = editor.layout().hidden.filter(({ reason }) => reason === "no-scope");
-    panel.markIdle(idle.map(({ parameter }) => parameter));
-  };
+  const mark = () =>
+    attempt(() => {
+      const idle = editor.layout().hidden.filter(({ reason }) => reason === "no-scope");
+      panel.markIdle(idle.map(({ parameter }) => parameter));
+    });
   mark();
-  editor.settled().then(mark, () => {});
+  settling ??= editor.settled().then(
+    () => {
+      settling = null;
+      mark();
+    },
+    () => (settling = null),
+  );
 }
 
 function showProjection() {
   const { orthographic } = editor;
+  if (projection.getAttribute("aria-pressed") === String(orthographic)) return;
   projection.setAttribute("aria-pressed", orthographic);
   projection
     .querySelector("use")
@@ -129,9 +149,10 @@ function showDocument() {
   panel.build(editor.getParameters());
   panelNode.dataset.state = "ready";
   for (const button of document.querySelectorAll(".views button")) button.disabled = false;
-  showValues(false);
+  showValues();
   showProjection();
   showMore();
+  if (loads++ > 0) tell(`${title} is shown.`);
   byId("parameters").parentElement.scrollTop = 0; // what was scrolled to was the last model's
   remember();
 }
@@ -150,8 +171,13 @@ function remember() {
   const parameters = editor.getParameters();
   if (modelOfAddress() !== shownModel) history.pushState(null, "", withModel(location.href, shownModel));
   const address = withValues(location.href, parameters);
-  if (address !== location.href) history.replaceState(null, "", address);
   addresses.set(shownModel, address);
+  if (address === location.href) return;
+  try {
+    history.replaceState(null, "", address);
+  } catch {
+    // Some browsers take no more than a hundred in half a minute; the next one will say it all.
+  }
 }
 
 // A model begins with what the address says, or, when it was chosen in the page, as it was left; at first with its defaults.
@@ -207,16 +233,16 @@ let dragging = false;
 function untilDragEnds() {
   if (editor.gestures.length > 0) return requestAnimationFrame(untilDragEnds);
   dragging = false;
-  showValues(false);
+  attempt(showValues);
 }
 editor.addEventListener("input", () => {
-  showValues(!sliding);
+  showValues({ live: !sliding, underWay: true });
   if (dragging || editor.gestures.length === 0) return;
   dragging = true;
   requestAnimationFrame(untilDragEnds);
 });
 editor.addEventListener("change", () => {
-  showValues(false);
+  showValues();
   // What is done while another model is on its way goes when that comes.
   if (panelNode.dataset.state === "ready" && !onItsWay()) remember();
 });
@@ -231,8 +257,8 @@ function writeAnew() {
 new MutationObserver(writeAnew).observe(editor, { attributeFilter: ["lang"] });
 addEventListener("languagechange", writeAnew);
 
-byId("undo").addEventListener("click", () => editor.undo());
-byId("redo").addEventListener("click", () => editor.redo());
+byId("undo").addEventListener("click", () => editor.canUndo && editor.undo());
+byId("redo").addEventListener("click", () => editor.canRedo && editor.redo());
 byId("fit").addEventListener("click", () => editor.fitToView());
 projection.addEventListener("click", () => {
   editor.orthographic = !editor.orthographic;
@@ -271,9 +297,12 @@ measures.addEventListener("click", () => {
 for (const button of document.querySelectorAll("[data-view]")) {
   button.addEventListener("click", () => editor.setView(button.dataset.view));
 }
-byId("reset-all").addEventListener("click", () =>
-  attempt(() => editor.setParameters(panel.defaults(editor.getParameters()))),
-);
+byId("reset-all").addEventListener("click", () => {
+  const defaults = panel.defaults(editor.getParameters());
+  if (Object.keys(defaults).length === 0) return;
+  attempt(() => editor.setParameters(defaults));
+  tell("All values are reset.");
+});
 addEventListener("popstate", () => {
   if (wantedModel() !== modelOfAddress()) askFor(modelOfAddress());
   else if (panelNode.dataset.state === "ready" && !onItsWay()) recall();

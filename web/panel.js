@@ -1,4 +1,4 @@
-import { make } from "./dom.js";
+import { make, setEnabled } from "./dom.js";
 import { travelOf } from "./editor_keys.js";
 import { choiceTitle, decimalsOf, keySteps, kUnits, numberText } from "./numbers.js";
 import { beyondSentence } from "./spoken.js";
@@ -40,6 +40,7 @@ export class Panel {
    *   travel("undo" | "redo"): a step through the history
    *   mark(): the decimal mark
    *   help(sentence): what to say of the row in use, or ""
+   *   tell(sentence): to those who hear the page
    */
   constructor(container, host) {
     this.container = container;
@@ -95,7 +96,7 @@ export class Panel {
       const changed = row.value !== parameter.value;
       row.node.toggleAttribute("data-live", live && (changed || row.node.hasAttribute("data-live")));
       row.node.toggleAttribute("data-changed", parameter.value !== parameter.default);
-      row.reset.disabled = parameter.value === parameter.default;
+      setEnabled(row.reset, parameter.value !== parameter.default);
       if (!changed) continue;
       row.value = parameter.value;
       row.show(parameter);
@@ -148,7 +149,11 @@ export class Panel {
       },
       makeIcon("reset"),
     );
-    reset.addEventListener("click", () => this.#host.set({ [parameter.name]: parameter.default }));
+    reset.addEventListener("click", () => {
+      if (this.#rows.get(parameter.name).value === parameter.default) return;
+      this.#host.set({ [parameter.name]: parameter.default });
+      this.#host.tell(`${parameter.title} is reset.`);
+    });
     // The help is a tooltip for the mouse, a description for screen readers, and for the row in use the page shows it.
     const help = parameter.help ? make("p", { id: `${id}-help`, hidden: true }, parameter.help) : null;
     const build = { bool: makeSwitch, choice: makeChoice }[parameter.type] ?? makeNumber;
@@ -233,7 +238,8 @@ function makeNumber(parameter, id, helpId, host) {
   let before = parameter.value;
   range.addEventListener("pointerdown", () => (before = now.value));
   range.addEventListener("input", () => host.slide(name, range.valueAsNumber));
-  range.addEventListener("change", () => host.endSlide());
+  // A slider that is let go of where it began tells of no change.
+  for (const type of ["change", "pointerup"]) range.addEventListener(type, () => host.endSlide());
   // A finger that came down on the slider scrolls the panel: nothing was meant to change.
   range.addEventListener("pointercancel", () => {
     if (now.value !== before) host.slide(name, before);

@@ -10,6 +10,9 @@ function modifierBits(event) {
   return (event.shiftKey ? 1 : 0) | (event.ctrlKey ? 2 : 0) | (event.altKey ? 4 : 0) | (event.metaKey ? 8 : 0);
 }
 
+// What `buttons` says of each button while it is down.
+const kDown = [1, 4, 2];
+
 const kindOf = ({ pointerType }) => (pointerType === "touch" || pointerType === "pen" ? pointerType : "mouse");
 
 /** Whether an event is on a control over the picture, which handles it by itself. */
@@ -30,7 +33,7 @@ export class PointerInput {
   #stage;
   #canvas;
   #host;
-  #held = new Map(); // pointer id -> {target: "handle" | "camera" | "", kind, at: [x, y], x, y, ms, still}: what it holds, where it is, and where that began
+  #held = new Map(); // pointer id -> {target: "handle" | "camera" | "", kind, button, at: [x, y], x, y, ms, still}: what it holds, by which button, where it is, and where that began
   #resting = new Map(); // pointer id -> the event with which a finger came down on a control that takes taps, and may yet be the picture's
   #taken = new Set(); // ids of those that have become the picture's since a finger came down alone: they click nothing
   #tapped = null; // {x, y, ms, touch, target}: the press that has just ended, if it was a tap
@@ -143,12 +146,16 @@ export class PointerInput {
     const alone = this.#held.size === 0 && event.button === 0 && !event.ctrlKey && !event.metaKey;
     for (const other of this.#held.values()) other.still = false;
     const { x, y } = this.last;
-    this.#held.set(event.pointerId, { target, kind: kindOf(event), at: [x, y], x, y, ms: event.timeStamp, still: alone });
+    this.#held.set(event.pointerId, { target, kind: kindOf(event), button: event.button, at: [x, y], x, y, ms: event.timeStamp, still: alone });
+    this.#capture(event.pointerId);
+    if (target === "camera") this.#showCursor("camera-held");
+  }
+
+  #capture(id) {
     // A pointer that a script invented cannot be captured; its gesture works without.
     try {
-      this.#stage.setPointerCapture(event.pointerId);
+      this.#stage.setPointerCapture(id);
     } catch {}
-    if (target === "camera") this.#showCursor("camera-held");
   }
 
   /** A finger that rests on a control begins what it would have begun on the picture. */
@@ -164,6 +171,8 @@ export class PointerInput {
     const resting = this.#resting.get(event.pointerId);
     if (resting && Math.hypot(event.clientX - resting.clientX, event.clientY - resting.clientY) > kFingerTap.strayPx) this.#take(event.pointerId);
     const held = this.#held.get(event.pointerId);
+    // Of a mouse with two buttons down, one that is let go of is told as a movement.
+    if (held && event.button === held.button && !(event.buttons & kDown[held.button])) return this.#up(event);
     if (held) {
       this.#call("pointerMove", event);
       held.at = [this.last.x, this.last.y];
@@ -220,6 +229,8 @@ export class PointerInput {
   #cancelPointer(event) {
     if (event.type === "pointercancel") this.#resting.delete(event.pointerId);
     else if (this.#stage.hasPointerCapture(event.pointerId)) return; // it was a control's before
+    // A browser lets go of a mouse with any of its buttons; the one that drags is still down.
+    else if (event.buttons & kDown[this.#held.get(event.pointerId)?.button]) return this.#capture(event.pointerId);
     if (!this.#held.delete(event.pointerId)) return;
     this.#host.guard(() => this.#host.core()?.cancelPointer(event.pointerId));
     this.#showCursor("");
