@@ -12,7 +12,8 @@ Box2 coveredBox(const Layout& layout, const DistanceFields& fields);
 
 /// The layout's camera, but with as much room on the left of all that is covered as on its right, and as much above as below, within reason. A camera that is fitted to a
 /// model knows nothing of the lines, and these do not stand around it evenly. The eye stays where it is and turns, so that the same is seen from the same side
-/// (an orthographic one is moved, which comes to the same). One that looks along an axis of the world stays as it is: a front view is one from right in front.
+/// (an orthographic one is moved, which comes to the same). One that looks along an axis of the world stays as it is: a front view is one from right in front;
+/// so does one from right above, which could not turn without turning the picture round.
 Camera centred(const Layout& layout, const DistanceFields& fields);
 
 /// centred() for a model that opens in `view`: its lines are placed once, as if they were the first, and are forgotten, so that the picture is the same whoever sets the camera.

@@ -293,7 +293,7 @@ bool hasPlainBaseLine(const AuditedFrame& frame, const Annotation& annotation, c
   if (annotation.type == HandleType::kAngular) {
     const int axis = std::max(0, axisOf(annotation.orient).axis);
     const double facing = glm::dot(box.axes[static_cast<std::size_t>(axis)], view.directionTo(box.center()));
-    return std::abs(facing) > std::sin(kForeshortenedAngleRad + kPlainlyMoreRad);
+    return std::abs(facing) > std::sin(kArcForeshortenedAngleRad + kPlainlyMoreRad);
   }
   if (!isLine(annotation.type)) return true;
   if (!isLinear(annotation.type)) return radiusOnScreenPx(view, box) > kPlainlyLonger * leastLengthPx(annotation);

@@ -41,6 +41,9 @@ inline constexpr double kMinLineLengthPx = 8.0;
 /// and a drag of a pixel would be a leap.
 inline constexpr double kForeshortenedAngleRad = 0.165;
 
+/// rad. The same for the plane of an arc: seen from its edge it looks like a short straight line, with an arrow that points anywhere.
+inline constexpr double kArcForeshortenedAngleRad = 0.3;
+
 /// How many times as far from the viewer as its base line a line may lie in perspective, and so how much smaller it may be drawn. Larger: from near by, lines lie far behind what they measure,
 /// and 34 m is drawn shorter than 19 m beside it. Smaller: more lines have no place but on the model.
 inline constexpr double kMostDepthRatio = 2.5;

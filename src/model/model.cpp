@@ -70,7 +70,7 @@ std::string_view mismatch(const Parameter& parameter, const Annotation& annotati
     case HandleType::kBoolean:
       return type == ParameterType::kBool ? "" : "a switch";
     case HandleType::kRange:
-      return type == ParameterType::kChoice || type == ParameterType::kInt ? "" : "a choice or a count";
+      return type == ParameterType::kChoice ? "" : "a choice";
     case HandleType::kAngular:
       return type == ParameterType::kAngle || annotation.indirect ? "" : "an angle";
     default:
@@ -92,7 +92,10 @@ std::optional<Annotation> readAnnotation(const Parameter& parameter, std::vector
   for (const std::string& warning : parsed->warnings) diagnostics.push_back(parameter.name + ": " + warning);
   const HandleType type = parsed->annotation.type;
   const std::string_view wanted = parameter.measure && !isLine(type) ? "a parameter, and this is a measure" : mismatch(parameter, parsed->annotation);
-  if (wanted.empty()) return parsed->annotation;
+  if (wanted.empty()) {
+    if (parsed->annotation.chained && !isLinear(type)) diagnostics.push_back(parameter.name + ": chained is for linear lines, so it is left out.");
+    return parsed->annotation;
+  }
   diagnostics.push_back(parameter.name + ": type=" + std::string(name(type)) + " is for " + std::string(wanted) + ", so it gets no handle.");
   return std::nullopt;
 }

@@ -7,6 +7,7 @@
 
 #include "placement/label_text.h"
 #include "placement/on_screen.h"
+#include "placement/score.h"
 #include "placement/text_metrics.h"
 
 namespace dimline {
@@ -104,7 +105,7 @@ std::optional<HiddenReason> placeArc(const OtherHandle& handle, const OtherHandl
     const Arc home = arcAt(handle.annotation, box, handle.value * kRadPerDeg, leastArcRadiusPx(handle.definition) * metresPerPx, kArcMaxRadiusPx * metresPerPx);
     const double facingShare = std::abs(glm::dot(home.axis, context.view.directionTo(box.center())));
     const double factor = handle.showAll ? kShowAllLengthPx / kMinLineLengthPx : handle.history.hidden() ? kShowAgainFactor : 1.0;
-    if (facingShare < std::sin(kForeshortenedAngleRad * factor)) continue;
+    if (facingShare < std::sin(kArcForeshortenedAngleRad * factor)) continue;
     facing = true;
     const auto offer = [&](const Arc& arc, PlacementKind placement, int direction, double offerScore) {
       std::array<Vec2, kArcSamples + 1> points;
@@ -136,7 +137,7 @@ std::optional<HiddenReason> placeArc(const OtherHandle& handle, const OtherHandl
       const Vec3 outward = (direction < 2 ? home.from : other) * (direction % 2 == 0 ? 1.0 : -1.0);
       if (!slideArc(moved, outward, labelSize, context)) continue;
       const Vec2 offset = context.view.toScreen(moved.center) - context.view.toScreen(home.center);
-      offer(moved, PlacementKind::kOutside, direction, kScorePlane * facingShare + damp(direction) + kScoreDistance * glm::length(offset));
+      offer(moved, PlacementKind::kOutside, direction, kScorePlane * facingShare + damp(direction) + score({.base = {Vec2(0.0), Vec2(0.0)}, .candidate = {offset, offset}, .align = handle.annotation.align}));
     }
   }
   if (!found) return facing ? HiddenReason::kOutOfView : HiddenReason::kForeshortened;

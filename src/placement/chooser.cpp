@@ -198,7 +198,7 @@ bool Chooser::chooseInside(const CandidateContext& candidates, const ChoiceConte
   const auto isFree = [&](const UsableBaseLine& base, bool stays) {
     if (landed.runsInto(base.screen) || landed.coversLabel(base.screen)) return false;
     if (stays && history.framesHeld() < kPartlySeenStaysFrames) return true;
-    return !landed.crossesExtension(base.screen) && (stays || !isBehindModel(candidates, base));
+    return !landed.crossesExtension(base.screen) && !landed.runsAlongExtension(base.screen) && (stays || !isBehindModel(candidates, base));
   };
   bool keptOff = false;
   candidates_.clear();
@@ -217,7 +217,7 @@ bool Chooser::chooseInside(const CandidateContext& candidates, const ChoiceConte
   if (candidates_.empty()) return false;
   for (Candidate& c : candidates_) {
     const Landed::Crossings across = landed.crossings(c.baseScreen, c.baseScreen, c.lineScreen);
-    c.score += (across.extensions ? kScoreAmissInside : 0.0) + (across.labels ? kScoreAmissInside : 0.0);
+    c.score += (across.extensions || landed.runsAlongExtension(c.lineScreen) ? kScoreAmissInside : 0.0) + (across.labels ? kScoreAmissInside : 0.0);
     c.score += kScoreHiddenScope * (1 - context.sights[c.scope].share());
     if (context.lookAhead.runsIntoInside(c.lineScreen)) c.score += kScoreAmissInside;
   }

@@ -183,6 +183,10 @@ bool Landed::crossesExtension(const Segment2& segment) const {
   return std::ranges::any_of(extensions_, [&](const Extension& e) { return segmentsCross(segment, e.segment, kCrossingPx); });
 }
 
+bool Landed::runsAlongExtension(const Segment2& segment) const {
+  return std::ranges::any_of(extensions_, [&](const Extension& e) { return lieOnEachOther(segment, e.segment); });
+}
+
 Landed::Across Landed::across(const Segment2& segment) const {
   const auto crossed = [&](const auto& l) { return segmentsCross(segment, l.segment, kCrossingPx); };
   Across across{.lines = static_cast<int>(std::ranges::count_if(lines_, crossed)),

@@ -85,6 +85,8 @@ class Landed {
 
   /// Whether a segment crosses an extension line that has landed.
   [[nodiscard]] bool crossesExtension(const Segment2& segment) const;
+  /// Whether it lies on one, so that the two look like one line.
+  [[nodiscard]] bool runsAlongExtension(const Segment2& segment) const;
   /// Whether a segment crosses a line that has landed, or lies on one.
   [[nodiscard]] bool runsInto(const Segment2& segment) const;
   /// How many of the lines, the extension lines, the threads of pills and the labels that have landed a segment runs across.

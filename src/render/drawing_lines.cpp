@@ -33,6 +33,8 @@ constexpr double kThinPx = 4.0;
 
 /// Share of the depth by which an edge may lie behind what is seen beside it: it lies on that surface.
 constexpr double kDepthTolerance = 3e-4;
+/// The same in parallel projection, where how far the eye is means nothing: a share of the depths that the model takes up.
+constexpr double kParallelDepthTolerance = 8e-4;
 
 /// Cosine. Parts that meet at less of an angle run on into each other, as the boards of a wall do: no line between them.
 constexpr float kMeetingCosine = 0.98F;
@@ -135,7 +137,9 @@ private:
 
   /// Whether an edge's point is seen: beside it, or at it, lies something that is no nearer than the edge itself.
   [[nodiscard]] Sample look(const Vec2& pointPx, double nearness) const {
-    const double farthest = nearnessOf(view_, depthOf(view_, nearness) * (1 - kDepthTolerance));
+    const double depthM = depthOf(view_, nearness);
+    const double toleranceM = view_.orthographic() ? kParallelDepthTolerance * (view_.farM() - view_.nearM()) : kDepthTolerance * depthM;
+    const double farthest = nearnessOf(view_, depthM - toleranceM);
     const int x = static_cast<int>(std::floor(pointPx.x * picture_.samplesPerPx));
     const int y = static_cast<int>(std::floor(pointPx.y * picture_.samplesPerPx));
     Sample result = Sample::kHidden;

@@ -65,6 +65,16 @@ TEST_CASE("a warning keeps the handle and is told") {
   CHECK(model->diagnostics[0].find("Width: line 1, column 27: orient cannot be \"sideways\"") == 0);
 }
 
+TEST_CASE("what is chained and makes no chain keeps its handle and is told of it") {
+  ModelDefinition definition = box();
+  definition.parameters[0].annotation = "@Handle(scope=Box, type=diametric, orient=up, chained)";
+  const auto model = makeModel(definition);
+  REQUIRE(model.ok());
+  CHECK(model->annotations[0].has_value());
+  REQUIRE(model->diagnostics.size() == 1);
+  CHECK(model->diagnostics[0] == "Width: chained is for linear lines, so it is left out.");
+}
+
 TEST_CASE("a handle of the wrong kind for its parameter is left out and told") {
   const auto handleOf = [](ParameterType type, const std::string& words) {
     ModelDefinition definition = box();

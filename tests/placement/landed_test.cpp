@@ -91,6 +91,16 @@ TEST_CASE("a line on a guide has room that keeps 30 px from lines of other guide
   CHECK_FALSE(landed.hasRoom(far, kGuide));
 }
 
+TEST_CASE("what lies on an extension line runs along it, what touches its end or crosses it does not") {
+  Landed landed;
+  landed.add({{450, 200}, {600, 200}}, {{450, 200}, {600, 200}}, {{450, 20}, {600, 20}});   // extension lines from y = 200 up to 20
+  CHECK(landed.runsAlongExtension({{450, 50}, {450, 150}}));
+  CHECK(landed.runsAlongExtension({{450, 400}, {450, 100}}));
+  CHECK_FALSE(landed.runsAlongExtension({{450, 400}, {450, 201}}));
+  CHECK_FALSE(landed.runsAlongExtension({{400, 100}, {500, 100}}));
+  CHECK_FALSE(landed.runsAlongExtension({{500, 200}, {550, 200}}));
+}
+
 TEST_CASE("what was added after a mark is taken back") {
   Landed landed = withShortLine();
   const Landed::Mark mark = landed.mark();

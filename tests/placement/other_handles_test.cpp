@@ -519,6 +519,37 @@ TEST_CASE("an arc seen nearly edge-on is shown on demand") {
   CHECK_FALSE(placeArc(handle, stage.context(), placed));
 }
 
+TEST_CASE("an arc moves out to the side that its annotation prefers") {
+  FrontOfBox stage;
+  const Parameter parameter{.name = "Pitch", .title = "Pitch", .type = ParameterType::kAngle, .unit = Unit::kDegree, .max = 90};
+  Annotation annotation = annotated(HandleType::kAngular, Orient::kFront, Slip::kScope);
+  const auto outwardFor = [&](Align align) {
+    annotation.align = align;
+    PlacedHandle placed;
+    REQUIRE_FALSE(placeArc({0, parameter, annotation, stage.scopes, 90, stage.none}, stage.context(), placed));
+    REQUIRE(placed.placement == PlacementKind::kOutside);
+    return stage.view.toScreen(placed.arc->center) - placed.anchor;
+  };
+  // Its centre is the box's lower left corner, and it opens as far to the right as upwards.
+  CHECK(outwardFor(Align::kLeft).x < -1);
+  CHECK(outwardFor(Align::kBottom).y > 1);
+}
+
+TEST_CASE("an arc is hidden before it looks like a straight line") {
+  FrontOfBox stage;
+  const Parameter parameter{.name = "Pitch", .title = "Pitch", .type = ParameterType::kAngle, .unit = Unit::kDegree, .max = 90};
+  const Annotation annotation = annotated(HandleType::kAngular, Orient::kRight, Slip::kNone);
+  const auto axes = stage.scene.scopes[0].box.axes;
+  const auto hiddenAt = [&](double fromEdgeRad) {
+    Obb& box = stage.scene.scopes[0].box;
+    for (std::size_t i = 0; i < 3; ++i) box.axes[i] = glm::rotate(glm::dmat4(1.0), fromEdgeRad, glm::dvec3(0, 1, 0)) * glm::dvec4(axes[i], 0);
+    PlacedHandle placed;
+    return placeArc({0, parameter, annotation, stage.scopes, 30, stage.none}, stage.context(), placed) == HiddenReason::kForeshortened;
+  };
+  CHECK(hiddenAt(0.95 * kArcForeshortenedAngleRad));
+  CHECK_FALSE(hiddenAt(1.05 * kArcForeshortenedAngleRad));
+}
+
 TEST_CASE("an arc seen edge-on is not shown") {
   FrontOfBox stage;
   const Parameter parameter{.name = "Pitch", .title = "Pitch", .type = ParameterType::kAngle, .unit = Unit::kDegree, .max = 90};

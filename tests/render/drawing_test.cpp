@@ -116,6 +116,26 @@ TEST_CASE("what stands behind a wall has no lines") {
   CHECK(linesOf(scene, view).size() == alone);
 }
 
+TEST_CASE("in parallel projection a drawing is the same however far the eye is") {
+  // A step of a thousandth of the model's size hides the edge behind it.
+  Scene scene = cubeScene();
+  test::addBox(scene, test::boxAt({-0.5, -0.5, 0.9}, {1, 1, 0.105}));
+  finish(scene);
+  const auto seenFrom = [&](double distanceM) {
+    Camera camera = test::orbitCamera({0, 0, 0}, distanceM, 25, 20);
+    camera.orthoHeightM = 4;
+    return linesOf(scene, View(camera, 600, 600, scene.bounds));
+  };
+  const std::vector<DrawingLine> near = seenFrom(0.5);
+  REQUIRE(near.size() >= 9);
+  for (const double distanceM : {6.0, 60.0, 2000.0}) {
+    const std::vector<DrawingLine> far = seenFrom(distanceM);
+    INFO(distanceM << " m");
+    CHECK(far.size() == near.size());
+    for (const DrawingLine& line : far) CHECK(hasLine(near, line.segment.start, line.segment.end));
+  }
+}
+
 TEST_CASE("half hidden lines end where they go behind") {
   Scene scene = cubeScene();
   test::addBox(scene, test::boxAt({-4, -4, 3}, {4, 8, 0.1}));  // hides the left half
