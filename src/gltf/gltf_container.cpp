@@ -20,8 +20,8 @@ using nlohmann::json;
 constexpr int kMaxNesting = 64;
 
 /// Extensions that a file may require: they change nothing that is read here, or are read.
-constexpr std::array<std::string_view, 4> kReadableExtensions{"KHR_mesh_quantization", "KHR_texture_transform",
-                                                              "KHR_materials_unlit", "KHR_lights_punctual"};
+constexpr std::array<std::string_view, 5> kReadableExtensions{"KHR_mesh_quantization", "KHR_texture_transform", "KHR_materials_unlit",
+                                                              "KHR_lights_punctual", "KHR_node_visibility"};
 
 std::uint32_t littleEndian(std::span<const std::byte> bytes, std::size_t offset) {
   std::uint32_t value = 0;

@@ -167,6 +167,7 @@ private:
       }
       material.roughness = static_cast<float>(std::clamp(pbr.roughnessFactor, 0.0, 1.0));
       material.twoSided = source.doubleSided;
+      if (source.alphaMode != "OPAQUE") leaveOut("Material " + std::to_string(file_.materials.size()) + " is shown without its transparency.");
       TextureUse use;
       if (pbr.baseColorTexture.index >= 0) {
         use.texCoord = pbr.baseColorTexture.texCoord;
@@ -231,6 +232,7 @@ private:
           continue;
         }
         if (primitive.attributes.find("POSITION") == primitive.attributes.end()) continue;
+        if (primitive.attributes.contains("COLOR_0")) leaveOut("Mesh " + std::to_string(i) + " is shown without the colours of its vertices.");
         if (!primitive.targets.empty()) leaveOut("Mesh " + std::to_string(i) + " is shown without its morph targets.");
         Result<GltfPrimitive> converted = convertPrimitive(primitive);
         if (!converted) return Error{"in mesh " + std::to_string(i) + ", " + converted.error().message};
@@ -361,6 +363,7 @@ private:
       if (node.mesh >= 0 && source.skin >= 0) {
         leaveOut("Node " + std::to_string(i) + " is shown as it was modelled, without the pose of its skeleton.");
       }
+      if (source.extensions.contains("EXT_mesh_gpu_instancing")) leaveOut("Node " + std::to_string(i) + " is shown once, without its instances.");
       for (const int child : source.children) {
         if (child < 0 || static_cast<std::size_t>(child) >= model_.nodes.size()) {
           return Error{label + " has a child that does not exist."};
@@ -370,9 +373,21 @@ private:
         }
         node.children.push_back(child);
       }
+      if (isHidden(source)) {
+        node.mesh = -1;
+        node.children.clear();
+      }
       file_.nodes.push_back(std::move(node));
     }
     return checkForCircles(parents);
+  }
+
+  /// By KHR_node_visibility, with all below it.
+  static bool isHidden(const tinygltf::Node& node) {
+    const auto found = node.extensions.find("KHR_node_visibility");
+    if (found == node.extensions.end() || !found->second.Has("visible")) return false;
+    const tinygltf::Value& visible = found->second.Get("visible");
+    return visible.IsBool() && !visible.Get<bool>();
   }
 
   /// Every node has one parent at most, so a circle has no way in: the walk upwards from a node never ends exactly when it is on one

@@ -7,6 +7,9 @@
 #include <optional>
 #include <unordered_map>
 
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "core/text.h"
 #include "gltf/gltf_container.h"
 #include "gltf/gltf_file.h"
 #include "model/mesh_faces.h"
@@ -17,6 +20,8 @@ namespace {
 
 /// m. Farther out, floats leave no room for the model's own detail.
 constexpr double kMaxCoordinateM = 1e8;
+/// How many times its size a model may lie from the origin. Maps and surveys put theirs hundreds of kilometres away, where floats have no digits left for its parts.
+constexpr double kFarFromOrigin = 1000.0;
 /// m. Smaller models would be measured in digits that no label has.
 constexpr double kLeastDiagonalM = 1e-5;
 
@@ -95,6 +100,19 @@ void place(const GltfFile& file, ImportedScene& scene) {
   std::erase_if(scene.parts, [](const ImportedScene::NamedPart& part) { return part.firstPlaced == part.endPlaced; });
 }
 
+/// Puts what lies far away at the origin, and says so.
+void bringHome(ImportedScene& scene) {
+  const Vec3 middle = scene.bounds.center();
+  const double awayM = std::max({std::abs(middle.x), std::abs(middle.y), std::abs(middle.z)});
+  if (awayM <= kFarFromOrigin * scene.bounds.diagonal()) return;
+  const Vec3 home = -Vec3(middle.x, scene.bounds.min.y, middle.z);
+  const Mat4 move = glm::translate(Mat4(1.0), home);
+  for (ImportedScene::Placed& placed : scene.placed) placed.world = move * placed.world;
+  for (ImportedScene::NamedPart& part : scene.parts) part.world = move * part.world;
+  scene.bounds = {scene.bounds.min + home, scene.bounds.max + home};
+  scene.diagnostics.push_back("The model lies far from its origin, " + formatFixed(awayM / 1000, 0) + " km; it is shown at the origin.");
+}
+
 Result<ImportedScene> sceneOf(GltfFile file) {
   ImportedScene scene;
   scene.materials = std::move(file.materials);
@@ -119,6 +137,7 @@ Result<ImportedScene> sceneOf(GltfFile file) {
   }
   if (scene.bounds.diagonal() < kLeastDiagonalM)
     return Error{"the model is less than a hundredth of a millimetre large, too small to be measured; lengths in glTF are in metres, so scale it up."};
+  bringHome(scene);
   return scene;
 }
 

@@ -21,10 +21,10 @@ using GltfFileResolver = std::function<Result<std::vector<std::byte>>(std::strin
 /// Geometry: every mesh that the default scene places, with its node's transform; triangles, strips and fans; positions that agree
 /// exactly are shared between faces, and normals are computed where there are none. Base colour, its texture (PNG, JPEG; at most 1024
 /// pixels a side, reduced when larger), roughness and doubleSided are kept. Each named node with something to see in or below it is a
-/// named part.
+/// named part. What lies more than a thousand times its size from the origin is put there.
 ///
 /// `name` is the file's, with or without a folder; errors start with it. A file that is damaged, or that needs what is not supported, gives
-/// an error. What can be left out (a texture that cannot be read, lines and points) is, and stands in the diagnostics.
+/// an error. What can be left out (a texture that cannot be read, lines and points, transparency, colours of vertices, instances, poses) is, and stands in the diagnostics.
 Result<ImportedScene> importGltf(std::string_view name, std::span<const std::byte> bytes, const GltfFileResolver& resolve);
 
 /// The same as a model that can be stretched (stretchedModel() says how).

@@ -234,6 +234,60 @@ test("keys: F fits, 1 is the front, 5 changes the projection; in a text field th
   assert.deepEqual(await cameraOf(page), before);
 });
 
+test("arrow keys turn the picture, with Shift they move it, plus and minus zoom", async () => {
+  await page.locator("dimline-editor").locator("canvas").focus();
+  const press = async (key) => {
+    await call(page, "setCamera", home);
+    await page.keyboard.press(key);
+    await settle(page);
+    return cameraOf(page);
+  };
+  const left = await press("ArrowLeft");
+  near((azimuthDeg(left) - azimuthDeg(home) + 360) % 360, 15, 0.01, "turned by");
+  near(range(left), range(home), 1e-6 * range(home), "distance");
+  assert.ok((await press("ArrowDown")).eye[1] > home.eye[1] + 1);
+  const moved = await press("Shift+ArrowUp");
+  assert.ok(moved.target[1] < home.target[1]);
+  for (let i = 0; i < 3; ++i) near(moved.eye[i] - moved.target[i], home.eye[i] - home.target[i], 1e-6 * range(home), "the same way");
+  assert.ok(range(await press("+")) < range(home));
+  assert.ok(range(await press("-")) > range(home));
+});
+
+test("a key that is held down switches once", async () => {
+  await page.locator("dimline-editor").locator("canvas").focus();
+  for (let i = 0; i < 4; ++i) await page.keyboard.down("5"); // but for the first, repeats
+  await page.keyboard.up("5");
+  await settle(page);
+  assert.ok((await cameraOf(page)).orthoHeight > 0);
+});
+
+test("another button that is pressed and let go of in the middle of a drag takes nothing back, and the drag goes on", async () => {
+  await page.mouse.move(...free);
+  await page.mouse.down();
+  await page.mouse.move(free[0] + 40, free[1], { steps: 3 });
+  await page.mouse.down({ button: "right" });
+  await page.mouse.up({ button: "right" });
+  await page.mouse.move(free[0] + 80, free[1], { steps: 3 });
+  await page.mouse.up();
+  await settle(page);
+  const { height } = await pictureBox(page);
+  near((azimuthDeg(home) - azimuthDeg(await cameraOf(page)) + 720) % 360, (80 / height) * 360, 1, "turned by");
+
+  // And one that is let go of while the other is still down has ended.
+  const turned = await cameraOf(page);
+  await page.mouse.move(...free);
+  await page.mouse.down();
+  await page.mouse.move(free[0] + 40, free[1], { steps: 3 });
+  await page.mouse.down({ button: "right" });
+  await page.mouse.up();
+  const ended = await cameraOf(page);
+  await page.mouse.move(free[0] + 90, free[1], { steps: 3 });
+  await page.mouse.up({ button: "right" });
+  await settle(page);
+  assert.ok(Math.abs(azimuthDeg(ended) - azimuthDeg(turned)) > 1);
+  assert.deepEqual((await cameraOf(page)).eye, ended.eye);
+});
+
 test("what is seen at the target keeps its size when the projection changes", async () => {
   const before = await layoutOf(page);
   const up = home.target.map((v, i) => v + (i === 1 ? 1 : 0));

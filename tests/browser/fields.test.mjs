@@ -145,6 +145,22 @@ test("the page can be told which producer to use", async () => {
   await close();
 });
 
+test("however often the producers change while answers are on their way, the picture comes to rest", async () => {
+  const { page, complaints, close } = await openPage(browser, { width: 840, height: 456 });
+  await page.evaluate(async () => {
+    const editor = document.querySelector("dimline-editor");
+    for (const from of ["gpu", "cpu", "gpu", "cpu", "gpu", "cpu", "gpu", "cpu", "gpu"]) {
+      editor.fieldsFrom = from;
+      await new Promise(requestAnimationFrame);
+    }
+    editor.model = "lever";
+  });
+  await settle(page);
+  assert.ok((await call(page, "layout")).lines.length > 3);
+  assert.deepEqual(complaints, []);
+  await close();
+});
+
 test("the GPU sees the same scopes as the CPU, comes to rest, and keeps up with a moving camera", async () => {
   const { page, complaints, close } = await openPage(browser, { width: 840, height: 456 });
   const cameras = makeCameras().filter((_, i) => i % 8 === 0);

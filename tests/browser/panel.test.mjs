@@ -91,6 +91,66 @@ test("a slider in motion changes the house as it moves, and is one undo step", a
   assert.equal(await valueOf(page, "Width"), values.at(-1));
 });
 
+test("a slider that is let go of where it began has ended, and one in motion asks for no layout", async () => {
+  const slider = row("Width").locator("input[type=range]");
+  const box = await slider.boundingBox();
+  const { min, max } = (await parameters()).find((p) => p.name === "Width");
+  const thumb = Number(await slider.evaluate((node) => parseFloat(getComputedStyle(node).getPropertyValue("--thumb")) * 16));
+  const at = box.x + thumb / 2 + ((await valueOf(page, "Width")) - min) / (max - min) * (box.width - thumb);
+  await page.evaluate(() => {
+    const editor = document.querySelector("dimline-editor");
+    const { layout } = editor;
+    window.layouts = 0;
+    editor.layout = function () {
+      ++window.layouts;
+      return layout.call(this);
+    };
+  });
+  const y = box.y + box.height / 2;
+  await page.mouse.move(at, y);
+  await page.mouse.down();
+  for (let i = 1; i <= 10; ++i) await page.mouse.move(at + 4 * i, y);
+  for (let i = 9; i >= 0; --i) await page.mouse.move(at + 4 * i, y);
+  assert.equal(await page.evaluate(() => window.layouts), 0);
+  await page.mouse.up();
+  await settle(page);
+  assert.ok((await page.evaluate(() => window.layouts)) <= 4);
+  await page.evaluate(() => delete document.querySelector("dimline-editor").layout);
+  // A value that is set now is a step by itself.
+  const before = await valueOf(page, "Depth");
+  await call(page, "setParameterContinuous", "Depth", before + 1);
+  assert.equal(await row("Depth").getAttribute("data-live"), "");
+  await call(page, "endContinuous");
+  await page.click("#undo");
+  await settle(page);
+  assert.equal(await valueOf(page, "Depth"), before);
+});
+
+test("a button that comes to nothing by its own click keeps the focus, and is told", async () => {
+  const focused = () => page.evaluate(() => document.activeElement.id || document.activeElement.getAttribute("aria-label"));
+  await call(page, "setParameters", { Depth: 9 });
+  await settle(page);
+  const reset = page.getByRole("button", { name: "Reset Depth", exact: true });
+  await reset.focus();
+  await page.keyboard.press("Enter");
+  await settle(page);
+  assert.equal(await focused(), "Reset Depth");
+  assert.equal(await reset.getAttribute("aria-disabled"), "true");
+  assert.equal(await page.textContent("#told"), "Depth is reset.");
+  await page.keyboard.press("Enter"); // and does nothing
+  await page.focus("#reset-all");
+  await page.keyboard.press("Enter");
+  await settle(page);
+  assert.equal(await focused(), "reset-all");
+  assert.equal(await page.textContent("#told"), "All values are reset.");
+  await page.focus("#undo");
+  assert.ok(await page.isDisabled("#reset-all"));
+  for (let i = 0; i < 30 && (await page.getAttribute("#undo", "aria-disabled")) !== "true"; ++i) await page.keyboard.press("Enter");
+  assert.equal(await focused(), "undo");
+  for (let i = 0; i < 30 && (await page.isEnabled("#redo")); ++i) await page.click("#redo");
+  await settle(page);
+});
+
 test("a typed number is taken and clamped, an empty field is filled again, and Escape takes back what was typed", async () => {
   const { min, max } = (await parameters()).find((p) => p.name === "Depth");
   const number = row("Depth").locator("input.number");

@@ -329,6 +329,47 @@ TEST_CASE("a place that no triangle uses does not count towards the model's size
   CHECK(near(scene.bounds.max, {1, 1, 0}));
 }
 
+TEST_CASE("a model that lies hundreds of kilometres away is shown at the origin, in full detail") {
+  GltfMaker maker;
+  const int box = maker.box({1, 2, 0.01});
+  const int part = maker.child({{"mesh", box}, {"name", "Pane"}, {"translation", {10, 0.5, 0}}});
+  const int other = maker.child({{"mesh", box}});
+  maker.node({{"children", {part, other}}, {"translation", {512345.3, 120, 4201234.7}}});
+  const Model model = readOrFail(maker.glb());
+  const Scene scene = sceneOf(model);
+  CHECK(near(scene.bounds.min, {-5.5, 0, -0.005}, 1e-4));
+  CHECK(near(scene.bounds.max, {5.5, 2.5, 0.005}, 1e-4));
+  CHECK(near(scene.scopes.back().box.size, {1, 2, 0.01}, 1e-4));
+  REQUIRE(model.diagnostics.size() == 1);
+  CHECK(model.diagnostics[0] == "The model lies far from its origin, 4201 km; it is shown at the origin.");
+
+  GltfMaker nearby;
+  nearby.node({{"mesh", nearby.box({1, 1, 1})}, {"translation", {900, 0, 0}}});
+  const Model stays = readOrFail(nearby.glb());
+  CHECK(near(sceneOf(stays).bounds.min, {900, 0, 0}));
+  CHECK(stays.diagnostics.empty());
+}
+
+TEST_CASE("what a node hides is not shown, nor what is below it") {
+  GltfMaker maker;
+  const int box = maker.box({1, 1, 1});
+  const int below = maker.child({{"mesh", box}, {"translation", {5, 0, 0}}});
+  const auto visible = [](bool is) { return json{{"KHR_node_visibility", {{"visible", is}}}}; };
+  maker.node({{"mesh", box}, {"translation", {9, 0, 0}}, {"children", {below}}, {"extensions", visible(false)}});
+  maker.node({{"mesh", box}, {"extensions", visible(true)}});
+  const Scene scene = sceneOf(readOrFail(maker.glb()));
+  CHECK(near(scene.bounds.min, {0, 0, 0}));
+  CHECK(near(scene.bounds.max, {1, 1, 1}));
+}
+
+TEST_CASE("instances of a node that are left out are told") {
+  GltfMaker maker;
+  maker.node({{"mesh", maker.box({1, 1, 1})}, {"extensions", {{"EXT_mesh_gpu_instancing", {{"attributes", json::object()}}}}}});
+  const Model model = readOrFail(maker.glb());
+  REQUIRE(model.diagnostics.size() == 1);
+  CHECK(model.diagnostics[0] == "Node 0 is shown once, without its instances.");
+}
+
 // --- Textures ---------------------------------------------------------------------------------------------------------
 
 /// 2x2: red, green, blue, white.
