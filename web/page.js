@@ -87,8 +87,11 @@ let silence = 0;
 function say(sentence) {
   byId("status").textContent = sentence;
   clearTimeout(silence);
-  silence = setTimeout(() => (byId("status").textContent = ""), kSentenceMs);
+  silence = setTimeout(hush, kSentenceMs);
 }
+
+const hush = () => (byId("status").textContent = "");
+addEventListener("pointerdown", hush); // whoever goes on has read it
 
 // For those who hear the page: what they can see is not said.
 function tell(sentence) {
