@@ -86,7 +86,8 @@ Result<double> readNumber(const json& value, std::string_view field) {
 
 Result<Vec3> readVec3(const json& value, std::string_view field) {
   const std::string wanted = std::string(field) + " must be a list of three finite numbers, as in [1, 2, 3]";
-  if (!value.is_array() || value.size() != 3) return Error{wanted + ", not " + shown(value) + "."};
+  if (!value.is_array()) return Error{wanted + ", not " + shown(value) + "."};
+  if (value.size() != 3) return Error{wanted + "."};
   Vec3 v{0.0};
   for (int i = 0; i < 3; ++i) {
     const json& part = value[static_cast<std::size_t>(i)];

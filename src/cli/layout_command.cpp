@@ -178,12 +178,15 @@ Outcome run(std::span<const std::string_view> arguments, const Streams& streams)
   }
 
   if (Status status = makeFolders(job.options); !status) return badInput(status.error());
+  const bool toStream = job.options.outputPath == "-";
+  // Or drawings would be left by a run that failed.
+  if (Status status = toStream ? okStatus() : checkWritable(job.options.outputPath); !status) return badInput(status.error());
   JsonWriter json;
   json.beginObject();
   writeHeader(job, json);
   if (Status status = layOut(job, *measurer, json); !status) return badInput(status.error());
   json.endObject();
-  if (job.options.outputPath == "-") {
+  if (toStream) {
     streams.out << json.text() << "\n";
     return std::nullopt;
   }

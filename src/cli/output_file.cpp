@@ -20,19 +20,45 @@ Error cannot(std::string_view what, const std::string& path, int reason) {
   return Error{"Cannot " + std::string(what) + " " + inQuotes(path) + ": " + std::strerror(reason) + "."};
 }
 
+/// Where a file comes to be.
+struct Place {
+  bool inPlace = false;            ///< no plain file (a terminal, a pipe): it cannot be replaced and is written to as it stands
+  std::filesystem::path target;    ///< where a link leads: it stays one
+  std::string partial;             ///< what is written, which then takes the target's name; its own is short enough wherever the target's is
+};
+
+Place placeOf(const std::string& path) {
+  std::error_code code;
+  Place place;
+  place.inPlace = std::filesystem::exists(path, code) && !std::filesystem::is_regular_file(path, code);
+  const std::filesystem::path resolved = std::filesystem::weakly_canonical(path, code);
+  place.target = code ? std::filesystem::path(path) : resolved;
+  place.partial = place.inPlace ? path : (place.target.parent_path() / (".dimline-partial-" + std::to_string(getpid()))).string();
+  return place;
+}
+
+bool isFolder(const std::string& path) {
+  std::error_code code;
+  return std::filesystem::is_directory(path, code);
+}
+
 }  // namespace
 
-Status writeFile(const std::string& path, std::string_view bytes) {
-  std::error_code code;
-  if (std::filesystem::is_directory(path, code)) return cannot("write", path, EISDIR);
-  // What is no plain file (a terminal, a pipe) cannot be replaced and is written to as it stands.
-  const bool inPlace = std::filesystem::exists(path, code) && !std::filesystem::is_regular_file(path, code);
-  // A link stays one, and what it leads to is replaced.
-  const std::filesystem::path resolved = std::filesystem::weakly_canonical(path, code);
-  const std::filesystem::path target = code ? std::filesystem::path(path) : resolved;
-  // A name of its own, which is short enough wherever the target's is.
-  const std::string partial = inPlace ? path : (target.parent_path() / (".dimline-partial-" + std::to_string(getpid()))).string();
+Status checkWritable(const std::string& path) {
+  if (isFolder(path)) return cannot("write", path, EISDIR);
+  const Place place = placeOf(path);
+  if (place.inPlace) return okStatus();
+  std::FILE* file = std::fopen(place.partial.c_str(), "wb");
+  if (file == nullptr) return cannot("write", path, errno);
+  std::fclose(file);
+  std::remove(place.partial.c_str());
+  return okStatus();
+}
 
+Status writeFile(const std::string& path, std::string_view bytes) {
+  if (isFolder(path)) return cannot("write", path, EISDIR);
+  const auto [inPlace, target, partial] = placeOf(path);
+  std::error_code code;
   std::FILE* file = std::fopen(partial.c_str(), "wb");
   if (file == nullptr) return cannot("write", path, errno);
   const bool written = std::fwrite(bytes.data(), 1, bytes.size(), file) == bytes.size();
@@ -55,8 +81,7 @@ Status makeFolder(const std::string& path) {
 }
 
 Result<std::string> readFile(const std::string& path, std::size_t mostBytes) {
-  std::error_code code;
-  if (std::filesystem::is_directory(path, code)) return cannot("read", path, EISDIR);
+  if (isFolder(path)) return cannot("read", path, EISDIR);
   errno = 0;
   std::ifstream stream(path, std::ios::binary);
   if (!stream) return cannot("read", path, errno != 0 ? errno : ENOENT);

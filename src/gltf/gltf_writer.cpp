@@ -91,9 +91,9 @@ private:
   }
 
   Status writeImages() {
-    for (const Image& image : scene_.images) {
-      const std::vector<unsigned char> png = encodePng(image);
-      if (png.empty()) return Error{"a texture of " + std::to_string(image.width) + " x " + std::to_string(image.height) + " pixels cannot be packed."};
+    for (const SharedImage& image : scene_.images) {
+      const std::vector<unsigned char> png = encodePng(*image);
+      if (png.empty()) return Error{"a texture of " + std::to_string(image->width) + " x " + std::to_string(image->height) + " pixels cannot be packed."};
       tinygltf::Image written;
       written.mimeType = "image/png";
       written.bufferView = appendView(png.data(), png.size(), 0);

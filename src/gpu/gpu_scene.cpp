@@ -243,13 +243,10 @@ void GpuScene::uploadMaterials(const Scene& scene) {
 }
 
 void GpuScene::uploadImages(const Scene& scene) {
-  const auto unchanged = [&](std::size_t i) {
-    return i < imageCopies_.size() && imageCopies_[i].width == scene.images[i].width && imageCopies_[i].rgba == scene.images[i].rgba;
-  };
   images_.resize(scene.images.size());
   for (std::size_t i = 0; i < scene.images.size(); ++i) {
-    if (images_[i] && unchanged(i)) continue;
-    const Image image = fitting(scene.images[i], static_cast<std::uint32_t>(context_->maxTextureSize()));
+    if (images_[i] && i < sentImages_.size() && sentImages_[i] == scene.images[i]) continue;
+    const Image image = fitting(*scene.images[i], static_cast<std::uint32_t>(context_->maxTextureSize()));
     const auto width = static_cast<GLsizei>(image.width);
     const auto height = static_cast<GLsizei>(image.height);
     int levels = 1;
@@ -262,7 +259,7 @@ void GpuScene::uploadImages(const Scene& scene) {
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
   }
-  imageCopies_ = scene.images;
+  sentImages_ = scene.images;
 }
 
 void GpuScene::drawPositions() const {

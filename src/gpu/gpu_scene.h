@@ -96,7 +96,7 @@ class GpuScene {
   Buffer positionBuffer_, indexBuffer_, vertexBuffer_, vertexIndexBuffer_, instanceBuffer_;
   Texture materialTexture_;
   std::vector<Texture> images_;
-  std::vector<Image> imageCopies_;   ///< what images_ holds, so that an unchanged image is not sent again
+  std::vector<SharedImage> sentImages_;   ///< what images_ holds, so that the same image is not sent again
   std::vector<Batch> batches_;
   std::vector<Group> groups_;
   std::vector<std::uint16_t> groupOfMaterial_;

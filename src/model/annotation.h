@@ -39,7 +39,27 @@ enum class Align { kNone, kTop, kBottom, kLeft, kRight, kTopLeft, kTopRight, kBo
 enum class HandleEnds { kEnd, kBoth };
 enum class HandleSkin { kArrow, kSphere };
 
-/// What an author says about a parameter's handle; what is not said is as it stands here.
+/// What an author says about a parameter's handle; what is not said is as it stands here. It is written beside the parameter, as
+///
+///     @Handle(scope=Window, type=linear-contour, orient=up, slip=object, align=left, chained)
+///
+/// | property | values, the default first |
+/// | --- | --- |
+/// | scope | a name, as the model spells it; in double quotes where it has a comma or a bracket. Always to be given |
+/// | type | linear-contour, linear-center, diametric, radial, spherical-diametric, spherical-radial, angular, boolean, range |
+/// | orient | up, down, left, right, front, back; the spherical types: horizontal, vertical |
+/// | slip | scope, object, billboard, none |
+/// | align | none, top, bottom, left, right, top-left, top-right, bottom-left, bottom-right |
+/// | chained, indirect | flags: off unless they are named |
+/// | ends | end, both |
+/// | min-length | pixels, a number |
+/// | occlusion | true, false |
+/// | skin | arrow, sphere |
+/// | color | #rrggbb |
+/// | translate | {x,y,z}, in scope sizes |
+///
+/// The case of words does not matter, that of names does. Other spellings that authors may know are read too (annotation.cpp lists them). The base lines of a round thing's edges are
+/// those of its box, beside what is seen of it: its thickness is better measured by linear-center.
 struct Annotation {
   std::string scope;                     ///< name of the scopes it measures; never empty after parsing
   HandleType type = HandleType::kLinearContour;

@@ -2,7 +2,9 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <glm/gtc/quaternion.hpp>
@@ -35,6 +37,10 @@ struct Image {
   std::vector<std::uint8_t> rgba;
 };
 
+/// One that all evaluations of a model have in common: pictures are far larger than the geometry, and no parameter changes them. Never null.
+using SharedImage = std::shared_ptr<const Image>;
+inline SharedImage share(Image image) { return std::make_shared<const Image>(std::move(image)); }
+
 /// Triangles that are used as a whole. Positions are shared between the faces that meet there (so that silhouette edges can be
 /// found); normals and uv belong to corners, since buildings have hard edges.
 struct Mesh {
@@ -56,7 +62,7 @@ struct Scene {
   std::vector<Mesh> meshes;
   std::vector<Instance> instances;
   std::vector<Material> materials;
-  std::vector<Image> images;
+  std::vector<SharedImage> images;
   std::vector<Scope> scopes;   ///< in order of creation; Scope::index is set
   Bounds bounds;               ///< of all instances' vertices
 

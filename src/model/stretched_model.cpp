@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string_view>
 #include <utility>
 
@@ -103,7 +104,7 @@ Obb boxAround(const ImportedScene& source, const ImportedScene::NamedPart& part,
 }
 
 /// The source with each axis scaled away from the lower corner of its bounds.
-Scene sceneOf(const ImportedScene& source, const Vec3& factors) {
+Scene sceneOf(const ImportedScene& source, std::span<const SharedImage> images, const Vec3& factors) {
   Mat4 stretch(1.0);
   for (int i = 0; i < 3; ++i) {
     stretch[i][i] = factors[i];
@@ -112,7 +113,7 @@ Scene sceneOf(const ImportedScene& source, const Vec3& factors) {
 
   Scene scene;
   scene.materials = source.materials;
-  scene.images = source.images;
+  scene.images.assign(images.begin(), images.end());
   std::vector<std::optional<std::uint32_t>> shared(source.meshes.size());
   for (const ImportedScene::Placed& placed : source.placed) {
     const Mat4 world = stretch * placed.world;
@@ -188,7 +189,7 @@ std::string_view stemOf(std::string_view name) {
   return name;
 }
 
-ModelDefinition definitionOf(std::shared_ptr<const ImportedScene> source) {
+ModelDefinition definitionOf(std::shared_ptr<const ImportedScene> source, std::vector<SharedImage> images) {
   ModelDefinition definition;
   const std::string_view stem = trim(stemOf(source->name));
   definition.name = stem.empty() ? "model" : readable(stem);   // a file may have any name
@@ -204,10 +205,10 @@ ModelDefinition definitionOf(std::shared_ptr<const ImportedScene> source) {
     axes.push_back(i);
     sizes.push_back(definition.parameters.back().defaultValue);
   }
-  definition.build = [source = std::move(source), axes, sizes](const Values& values) {
+  definition.build = [source = std::move(source), images = std::move(images), axes, sizes](const Values& values) {
     Vec3 factors(1.0);
     for (std::size_t i = 0; i < axes.size(); ++i) factors[axes[i]] = values.at(i) / sizes[i];
-    return sceneOf(*source, factors);
+    return sceneOf(*source, images, factors);
   };
   return definition;
 }
@@ -216,8 +217,10 @@ ModelDefinition definitionOf(std::shared_ptr<const ImportedScene> source) {
 
 Result<Model> stretchedModel(ImportedScene imported) {
   std::vector<std::string> diagnostics = std::move(imported.diagnostics);
+  std::vector<SharedImage> images;
+  for (Image& image : std::exchange(imported.images, {})) images.push_back(share(std::move(image)));
   const auto source = std::make_shared<const ImportedScene>(std::move(imported));
-  auto model = makeModel(definitionOf(source));
+  auto model = makeModel(definitionOf(source, std::move(images)));
   if (!model) return Error{source->name + ": " + model.error().message};
   Model result = std::move(model).value();
   result.diagnostics.insert(result.diagnostics.begin(), std::make_move_iterator(diagnostics.begin()), std::make_move_iterator(diagnostics.end()));

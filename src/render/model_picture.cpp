@@ -105,7 +105,7 @@ public:
     const Material& material = scene_.materials[mesh.materials[triangle]];
     glm::vec3 color = material.color;
     if (material.image >= 0 && !mesh.uvs.empty()) {
-      color *= textures_.mean(scene_.images[static_cast<std::size_t>(material.image)], mesh.uvs[triangle]);
+      color *= textures_.mean(*scene_.images[static_cast<std::size_t>(material.image)], mesh.uvs[triangle]);
     }
     return {packRgb(paperColor(color) * (kDarkest + (1.0F - kDarkest) * tone)), part, glm::vec3(normal)};
   }

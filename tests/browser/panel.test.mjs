@@ -147,7 +147,10 @@ test("a button that comes to nothing by its own click keeps the focus, and is to
   assert.ok(await page.isDisabled("#reset-all"));
   for (let i = 0; i < 30 && (await page.getAttribute("#undo", "aria-disabled")) !== "true"; ++i) await page.keyboard.press("Enter");
   assert.equal(await focused(), "undo");
-  for (let i = 0; i < 30 && (await page.isEnabled("#redo")); ++i) await page.click("#redo");
+  await page.evaluate(() => {
+    const editor = document.querySelector("dimline-editor");
+    while (editor.canRedo) editor.redo();
+  });
   await settle(page);
 });
 

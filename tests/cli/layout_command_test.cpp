@@ -222,6 +222,9 @@ TEST_CASE("an output file is written whole or not at all") {
   const Run onFolder = runProgram({"layout", "house", "-o", folder / ""});
   CHECK(onFolder.status == 1);
   CHECK(onFolder.err.find("Is a directory") != std::string::npos);
+  // Nor are drawings left of a run that cannot write its layout.
+  CHECK(runProgram({"layout", "house", "--svg", folder / "drawings", "-o", folder / "no/such/folder/out.json"}).status == 1);
+  CHECK(std::filesystem::is_empty(std::filesystem::path(folder / "drawings")));
   const Run masksOnFile = runProgram({"layout", "house", "--masks", old, "-o", "-"});
   CHECK(masksOnFile.status == 1);
 }

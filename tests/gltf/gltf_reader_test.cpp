@@ -408,9 +408,9 @@ GltfMaker textured(const json& image, const json& textureExtensions = {}) {
 TEST_CASE("a PNG texture keeps its pixels, top row first, and its coordinates") {
   const Scene scene = sceneOf(readOrFail(textured({{"uri", kPng}}).glb()));
   REQUIRE(scene.images.size() == 1);
-  CHECK(scene.images[0].width == 2);
-  CHECK(scene.images[0].height == 2);
-  CHECK(scene.images[0].rgba ==
+  CHECK(scene.images[0]->width == 2);
+  CHECK(scene.images[0]->height == 2);
+  CHECK(scene.images[0]->rgba ==
         std::vector<std::uint8_t>{255, 0, 0, 255, 0, 255, 0, 255, 0, 0, 255, 255, 255, 255, 255, 255});
   CHECK(scene.materials.at(0).image == 0);
   CHECK(scene.materials.at(0).color == glm::vec3(1.0F));
@@ -418,21 +418,28 @@ TEST_CASE("a PNG texture keeps its pixels, top row first, and its coordinates") 
   CHECK(scene.meshes[0].uvs[0] == std::array<glm::vec2, 3>{glm::vec2(0, 1), glm::vec2(1, 1), glm::vec2(0, 0)});
 }
 
+TEST_CASE("all evaluations of a model have its textures in common") {
+  const Model model = readOrFail(textured({{"uri", kPng}}).glb());
+  const Scene a = sceneOf(model), b = sceneOf(model);
+  REQUIRE(a.images.size() == 1);
+  CHECK(a.images[0] == b.images[0]);
+}
+
 TEST_CASE("a JPEG is read, and what is too wide is halved until it fits") {
   const Scene jpeg = sceneOf(readOrFail(textured({{"uri", kJpeg}}).glb()));
   REQUIRE(jpeg.images.size() == 1);
-  CHECK(jpeg.images[0].width == 8);
+  CHECK(jpeg.images[0]->width == 8);
   const std::uint8_t wanted[] = {0xc8, 0x64, 0x32, 0xff};
-  for (std::size_t i = 0; i < jpeg.images[0].rgba.size(); ++i) {
-    CHECK(std::abs(int{jpeg.images[0].rgba[i]} - int{wanted[i % 4]}) <= 3);
+  for (std::size_t i = 0; i < jpeg.images[0]->rgba.size(); ++i) {
+    CHECK(std::abs(int{jpeg.images[0]->rgba[i]} - int{wanted[i % 4]}) <= 3);
   }
 
   const Scene wide = sceneOf(readOrFail(textured({{"uri", kWidePng}}).glb()));
   REQUIRE(wide.images.size() == 1);
-  CHECK(wide.images[0].width == 750);
-  CHECK(wide.images[0].height == 1);
+  CHECK(wide.images[0]->width == 750);
+  CHECK(wide.images[0]->height == 1);
   const std::uint8_t blue[] = {0x40, 0x80, 0xc0, 0xff};
-  for (std::size_t i = 0; i < wide.images[0].rgba.size(); ++i) CHECK(wide.images[0].rgba[i] == blue[i % 4]);
+  for (std::size_t i = 0; i < wide.images[0]->rgba.size(); ++i) CHECK(wide.images[0]->rgba[i] == blue[i % 4]);
 }
 
 TEST_CASE("KHR_texture_transform is applied to the coordinates") {

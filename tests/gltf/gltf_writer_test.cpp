@@ -114,7 +114,7 @@ TEST_CASE("corners that agree share a vertex, and a material's triangles are one
 TEST_CASE("every accessor begins where its numbers may, and ends within its view and the buffer") {
   // An image between them, of a size that is a multiple of nothing.
   Scene scene = sceneOf({square(1)}, {{0}});
-  scene.images.push_back({3, 1, {255, 0, 0, 255, 0, 255, 0, 255, 0, 0, 255, 255}});
+  scene.images.push_back(share({3, 1, {255, 0, 0, 255, 0, 255, 0, 255, 0, 0, 255, 255}}));
   scene.materials[1].image = 0;
   const json file = jsonOf(written(scene));
   const std::size_t total = file["buffers"][0]["byteLength"].get<std::size_t>();
@@ -133,7 +133,7 @@ TEST_CASE("every accessor begins where its numbers may, and ends within its view
 
 TEST_CASE("colours, roughness, both sides and textures come back as they were") {
   Scene scene = sceneOf({square(1)}, {{0}});
-  scene.images.push_back({2, 2, {255, 0, 0, 255, 0, 255, 0, 255, 0, 0, 255, 255, 9, 8, 7, 255}});
+  scene.images.push_back(share({2, 2, {255, 0, 0, 255, 0, 255, 0, 255, 0, 0, 255, 255, 9, 8, 7, 255}}));
   scene.materials[1].image = 0;
   const ImportedScene back = readBack(written(scene));
   REQUIRE(back.materials.size() >= 2);
@@ -145,7 +145,7 @@ TEST_CASE("colours, roughness, both sides and textures come back as they were") 
   }
   REQUIRE(back.images.size() == 1);
   CHECK(back.images[0].width == 2);
-  CHECK(back.images[0].rgba == scene.images[0].rgba);
+  CHECK(back.images[0].rgba == scene.images[0]->rgba);
   const Mesh& mesh = back.meshes[0];
   REQUIRE(mesh.uvs.size() == 2);
   CHECK(mesh.uvs[1] == scene.meshes[0].uvs[1]);

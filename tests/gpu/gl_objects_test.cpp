@@ -85,9 +85,9 @@ TEST_CASE("images that the driver cannot hold, or that have no pixels, are no er
   GpuScene gpuScene(*context.gl);
   Scene scene = test::villageScene();
   const auto wide = static_cast<std::uint32_t>(context.gl->maxTextureSize()) + 1;
-  scene.images.push_back({wide, 2, std::vector<std::uint8_t>(std::size_t{wide} * 2 * 4, 128)});
-  scene.images.push_back({});
-  scene.images.push_back({4, 4, {1, 2, 3}});
+  scene.images.push_back(share({wide, 2, std::vector<std::uint8_t>(std::size_t{wide} * 2 * 4, 128)}));
+  scene.images.push_back(share({}));
+  scene.images.push_back(share({4, 4, {1, 2, 3}}));
   gpuScene.upload(scene);
   CHECK(glGetError() == GL_NO_ERROR);
   for (int i = 0; i < 3; ++i) CHECK(glIsTexture(gpuScene.imageTexture(i)) == GL_TRUE);

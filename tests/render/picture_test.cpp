@@ -215,7 +215,7 @@ TEST_CASE("every pattern compiles, with and without an image, in both qualities,
       scene.materials[0].color = {0.4F, 0.3F, 0.25F};
       scene.materials[0].image = image;
       scene.materials[0].roughness = 0.3F;
-      scene.images.push_back({2, 1, {255, 255, 255, 255, 128, 128, 128, 255}});
+      scene.images.push_back(share({2, 1, {255, 255, 255, 255, 128, 128, 128, 255}}));
       fixture.setScene(scene);
       for (const RenderQuality quality : {RenderQuality::kFull, RenderQuality::kReduced}) {
         fixture.options.quality = quality;
@@ -279,7 +279,7 @@ TEST_CASE("an image is shown the right way up") {
   scene.meshes.push_back(mesh);
   scene.instances.push_back({});
   scene.materials.push_back({.color = {1, 1, 1}, .image = 0});
-  scene.images.push_back({1, 2, {230, 20, 20, 255, 20, 20, 230, 255}});   // red above blue
+  scene.images.push_back(share({1, 2, {230, 20, 20, 255, 20, 20, 230, 255}}));   // red above blue
   finish(scene);
   fixture.setScene(scene);
   Camera camera = test::orbitCamera({0, 1, 0}, 5, 0, 0);

@@ -99,13 +99,13 @@ export async function freeSpot(page, fingers = 2) {
   return best.at;
 }
 
-/** The way of so many pixels, level, upright or between, from a place in the window to one where a finger touches nothing, and on which it stays in the picture when it goes on as far again. */
+/** The way of about so many pixels from a place in the window to one where a finger touches nothing, and on which it stays in the picture when it goes on as far again. Level or upright if may be. */
 export async function freeWay(page, [x, y], px) {
   const { fromHandlePx, fromBoxPx } = kOneFinger;
   const box = await pictureBox(page);
   const around = await surroundings(page);
-  const slant = px * Math.SQRT1_2;
-  const ways = [[px, 0], [-px, 0], [0, px], [0, -px], [slant, slant], [-slant, slant], [slant, -slant], [-slant, -slant]];
+  const turns = [0, 0.5, 0.25, 0.75, 0.125, 0.375, 0.625, 0.875, 0.0625, 0.1875, 0.3125, 0.4375, 0.5625, 0.6875, 0.8125, 0.9375];
+  const ways = [1, 0.85, 1.2].flatMap((far) => turns.map((turn) => [far * px * Math.cos(2 * Math.PI * turn), far * px * Math.sin(2 * Math.PI * turn)]));
   const way = ways.find(([dx, dy]) => {
     const { clearance, onBox } = around([x + dx - box.x, y + dy - box.y], fromBoxPx);
     const inPicture = fromBox([x + 2 * dx, y + 2 * dy], [box.x, box.y, box.x + box.width, box.y + box.height]) === 0;
