@@ -13,9 +13,9 @@ const kZooms = { "+": -1, "=": -1, "-": 1, _: 1 };
 /**
  * What a pressed key does to the camera, to be called with the core; null for nothing.
  * @param {KeyboardEvent} event
- * @param {{width: number, height: number}} picture in CSS px
+ * @param {HTMLElement} picture that fills the viewport
  */
-export function cameraMoveOf(event, { width, height }) {
+export function cameraMoveOf(event, { offsetWidth: width, offsetHeight: height }) {
   if (event.altKey || event.ctrlKey || event.metaKey) return null;
   const [x, y] = [width / 2, height / 2];
   const zoom = kZooms[event.key];

@@ -456,7 +456,7 @@ export class DimlineEditor extends Base {
   }
 
   #turnByKey(event) {
-    const move = cameraMoveOf(event, this.#parts.stage.getBoundingClientRect());
+    const move = cameraMoveOf(event, this.#parts.stage);
     if (!move || this.#input.active) return;
     event.preventDefault();
     this.#act(move);

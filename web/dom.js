@@ -5,11 +5,10 @@
  * its click has to keep to.
  */
 export function setEnabled(button, enabled) {
-  const focused = button.matches(":focus");
-  if (enabled) button.removeAttribute("aria-disabled");
-  else button.setAttribute("aria-disabled", "true");
-  button.disabled = !enabled && !focused;
-  if (!enabled && focused) button.addEventListener("blur", () => (button.disabled = button.ariaDisabled === "true"), { once: true });
+  if (button.getAttribute("aria-disabled") === String(!enabled)) return;
+  button.setAttribute("aria-disabled", !enabled);
+  if (enabled || !button.matches(":focus")) button.disabled = !enabled;
+  else button.addEventListener("blur", () => (button.disabled = button.getAttribute("aria-disabled") === "true"), { once: true });
 }
 
 /** @param {Record<string, string | boolean | null>} attributes true is an attribute without a value; false and null are none */

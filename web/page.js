@@ -62,7 +62,7 @@ const panel = new Panel(byId("parameters"), {
     if (!sliding) return;
     sliding = false;
     attempt(() => editor.endContinuous());
-    showValues(); // one that ends where it began is followed by no change
+    markIdle(); // one that ends where it began is followed by no change
   },
   read: (name, text) => editor.parseValue(name, text),
   mark: () => editor.decimalMark,
