@@ -16,6 +16,8 @@ export interface Label {
   name: string;
   text: string;
   box: Box | null;
+  /** Its line lies on the model. */
+  inside: boolean;
   opacity: number;
   hovered: boolean;
   dragged: boolean;

@@ -78,6 +78,12 @@ canvas[data-ring] + .ring { opacity: 1; }
 }
 .label[role="slider"], .label[aria-hidden] { pointer-events: auto; }
 .label[data-active] { color: var(--dimline-accent); }
+/* Over the model a halo alone leaves a number among figures and tiles. */
+.label[data-inside] {
+  --plate: color-mix(in srgb, var(--dimline-halo) 65%, transparent);
+  background: var(--plate);
+  box-shadow: 0 0 0 2px var(--plate);
+}
 /* Where a number can be typed there is a field to be felt. */
 @media (hover: hover) {
   .stage[data-cursor="text"] .label:hover { background: #fff; box-shadow: 0 0 0 4px #fff, 0 0 0 5px #c3cbd3; text-shadow: none; }

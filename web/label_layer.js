@@ -209,6 +209,7 @@ export class LabelLayer {
       handle: null,
       transform: "",
       opacity: "",
+      inside: false,
       active: false,
       editable: false,
       slider: null,
@@ -242,6 +243,11 @@ export class LabelLayer {
     if (entry.transform !== transform) node.style.transform = entry.transform = transform;
     const opacity = label.opacity >= 1 ? "" : String(label.opacity);
     if (entry.opacity !== opacity) node.style.opacity = entry.opacity = opacity;
+    const inside = label.inside && !textless;
+    if (entry.inside !== inside) {
+      entry.inside = inside;
+      node.toggleAttribute("data-inside", inside);
+    }
     const active = label.hovered || label.dragged;
     if (entry.active !== active) {
       entry.active = active;

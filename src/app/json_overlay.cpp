@@ -25,6 +25,7 @@ void writeLabel(JsonWriter& json, std::span<const Parameter> parameters, const P
   json.key("text").value(placed.text);
   json.key("box");
   box != nullptr ? json.value(roundedPx(*box)) : json.null();
+  json.key("inside").value(placed.placement == PlacementKind::kInside);
   json.key("opacity").value(roundedShare(state.opacity));
   json.key("hovered").value(state.hovered);
   json.key("dragged").value(state.dragged);

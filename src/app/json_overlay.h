@@ -7,7 +7,7 @@
 /// hundredths of a pixel.
 namespace dimline {
 
-/// Of every line and every arc, those that fade away too: [{id, parameter, name, text, box, opacity, hovered, dragged, measure, handles}…]. `box` is null
+/// Of every line and every arc, those that fade away too: [{id, parameter, name, text, box, inside, opacity, hovered, dragged, measure, handles}…]. `box` is null
 /// where there is no room for the text; the `id` of one that fades ends in "~", so that it is not taken for one that comes in its place.
 void writeLabels(JsonWriter& json, const Editor& editor);
 

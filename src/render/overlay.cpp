@@ -27,7 +27,7 @@ constexpr float kExtensionHiddenShare = 0.3F;
 /// Dash and gap of an indirect line (px).
 constexpr double kDashPx = 4.0;
 /// A line's arrowheads never take more than this share of it, so that something of the line is left between them.
-constexpr double kArrowsShare = 0.7;
+constexpr double kArrowsShare = 0.75;
 /// The stroke ends that share of an arrowhead, or of a ball's radius, behind its tip: where it is wide enough to hide the stroke's corners.
 constexpr double kStrokeInset = 0.7;
 /// A ball's highlight: its radius and how far it is off the middle, in radii, and how bright it is.
@@ -102,7 +102,9 @@ Arrow arrowOf(bool sphere, bool draggable, double lengthPx, float handleScale) {
   const double atRest = sphere ? kSphereRadiusPx : kArrowLengthPx;
   const double wanted = atRest * (draggable ? static_cast<double>(handleScale) : 1.0);
   const double length = std::min(wanted, lengthPx * kArrowsShare * 0.5);
-  return {length, sphere ? length : kArrowHalfWidthPx * length / kArrowLengthPx};
+  // On a short line it gets broader for its length: in its own proportions its colour, which says that it can be dragged, would hardly be seen.
+  const double proportion = length < kArrowLengthPx ? std::sqrt(length / kArrowLengthPx) : length / kArrowLengthPx;
+  return {length, sphere ? length : kArrowHalfWidthPx * proportion};
 }
 
 Pieces piecesOf(const OverlayLine& line) {

@@ -38,6 +38,10 @@ constexpr std::array<Pen, 4> kPens{{{1.6, "#2b3138"}, {0.9, "#3c444d"}, {0.6, "#
 constexpr double kHidingStepPx = 1.0;
 constexpr double kMostHidingSteps = 4096;
 
+/// The white plate behind a text on the model, as the page has it: how much of the model it covers, and how far it reaches beyond the text's box (px).
+constexpr double kPlateOpacity = 0.65;
+constexpr double kPlateMarginPx = 2.0;
+
 /// Share of a halo's soft rim that is cut off.
 constexpr float kHaloFade = 0.75F;
 
@@ -263,20 +267,33 @@ void writeText(const std::string& text, const Box2& box, std::string& svg) {
          "\" textLength=\"" + number(widthPx) + "\" lengthAdjust=\"spacingAndGlyphs\">" + escaped(text) + "</text>\n";
 }
 
+void writePlate(const Box2& box, std::string& svg) {
+  const Vec2 size = box.max - box.min;
+  svg += "<rect x=\"" + number(box.min.x) + "\" y=\"" + number(box.min.y) + "\" width=\"" + number(size.x) + "\" height=\"" + number(size.y) + "\"/>\n";
+}
+
 void writeLabels(const Layout& layout, std::string& svg) {
-  // A white rim keeps a text readable where it has to stand on the model.
+  const auto eachText = [&](auto write) {
+    for (const PlacedLine& line : layout.lines) {
+      if (line.label && !line.text.empty()) write(line.text, *line.label, line.placement);
+    }
+    for (const PlacedHandle& handle : layout.others) {
+      if (handle.arc && !handle.text.empty()) write(handle.text, handle.box, handle.placement);
+    }
+  };
+  // A white rim keeps a text readable where it has to stand on extension lines; on the model, among figures and tiles, it takes a plate as well.
+  svg += "<g fill=\"#fff\" fill-opacity=\"" + number(kPlateOpacity) + "\">\n";
+  eachText([&](const std::string&, const Box2& box, PlacementKind placement) {
+    if (placement == PlacementKind::kInside) writePlate(box.grown(kPlateMarginPx), svg);
+  });
   svg +=
+      "</g>\n"
       "<g font-family=\"Barlow, 'Barlow Medium', 'Roboto Condensed', 'Arial Narrow', Arial, sans-serif\" "
       "font-weight=\"500\" "
       "font-size=\"" +
       number(kLabelFontSizePx) +
       "\" fill=\"#12181f\" stroke=\"#fff\" stroke-width=\"3\" stroke-linejoin=\"round\" paint-order=\"stroke\">\n";
-  for (const PlacedLine& line : layout.lines) {
-    if (line.label && !line.text.empty()) writeText(line.text, *line.label, svg);
-  }
-  for (const PlacedHandle& handle : layout.others) {
-    if (handle.arc && !handle.text.empty()) writeText(handle.text, handle.box, svg);
-  }
+  eachText([&](const std::string& text, const Box2& box, PlacementKind) { writeText(text, box, svg); });
   svg += "</g>\n";
 }
 

@@ -141,9 +141,11 @@ test("the labels of the DOM are those of the layout", (t) => {
   assert.equal(labels.length, lines.length + arcs.length);
   assert.equal(new Set(labels.map((label) => label.id)).size, labels.length, "each has an id of its own");
   const placed = [...lines, ...arcs.map((arc) => ({ ...arc, label: { box: arc.box } }))];
+  assert.ok(labels.some((label) => label.inside) && labels.some((label) => !label.inside), "of both kinds");
   labels.forEach((label, i) => {
     assert.equal(label.name, placed[i].parameter);
     assert.equal(label.text, placed[i].text);
+    assert.equal(label.inside, placed[i].placement === "inside");
     assert.equal(label.opacity, 1);
     assert.equal(label.hovered, false);
     assert.equal(label.dragged, false);

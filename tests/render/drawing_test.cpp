@@ -318,6 +318,29 @@ TEST_CASE("where the model hides it, a line inside it is faint on paper too") {
   CHECK(faint(writeSvg(drawing.scene, layout, "Box")) == 0);
 }
 
+TEST_CASE("a text on the model stands on a plate, below all texts; one outside does not") {
+  Drawing drawing = drawingOf(test::orbitCamera({0, 2.5, 0}, 24, 35, 20), "Box");
+  const auto plates = [](const std::string& svg) { return occurrences(svg, "<rect x="); };
+  REQUIRE(drawing.layout.lines[0].placement != PlacementKind::kInside);
+  REQUIRE(plates(drawing.svg) == 0);
+  drawing.layout.lines[0].placement = PlacementKind::kInside;
+  drawing.layout.lines[0].label = Box2{{100, 50}, {140, 67}};
+  PlacedHandle angle;
+  angle.type = HandleType::kAngular;
+  angle.placement = PlacementKind::kInside;
+  angle.text = "35 degrees";
+  angle.box = {{200, 100}, {240, 117}};
+  angle.arc = Arc{{0, 2, 3}, {1, 0, 0}, {0, 0, 1}, 2.0, 0.6};
+  drawing.layout.others = {angle};
+  const std::string svg = writeSvg(drawing.scene, drawing.layout, "Box");
+  CHECK(wellFormed(svg));
+  CHECK(plates(svg) == 2);
+  CHECK(svg.find("<rect x=\"98\" y=\"48\" width=\"44\" height=\"21\"/>") != std::string::npos);
+  CHECK(svg.rfind("<rect x=") < svg.find("<text "));
+  drawing.layout.lines[0].label.reset();
+  CHECK(plates(writeSvg(drawing.scene, drawing.layout, "Box")) == 1);
+}
+
 TEST_CASE("the same frame gives the same document") {
   const Camera camera = test::orbitCamera({0, 2.5, 0}, 24, 35, 20);
   CHECK(drawingOf(camera, "Box").svg == drawingOf(camera, "Box").svg);

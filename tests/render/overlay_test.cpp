@@ -225,6 +225,23 @@ TEST_CASE("the arrowheads of a short line leave something of it between them") {
   }
 }
 
+TEST_CASE("the arrowheads of a short line are broader for their length, never broader than others") {
+  double lastHalfWidth = 0;
+  for (const double length : {4.0, 8.0, 16.0, 24.0, 40.0}) {
+    OverlayLine line = lineFrom({0, 0}, {length, 0});
+    for (const OverlayShape& shape : build(line)) {
+      if (shape.kind != Kind::kArrow || inkOf(shape) == 6) continue;
+      const auto headPx = static_cast<double>(glm::length(shape.endPx - shape.startPx));
+      const auto halfWidthPx = static_cast<double>(shape.halfWidthPx);
+      CHECK(halfWidthPx <= kArrowHalfWidthPx + 1e-6);
+      CHECK(halfWidthPx >= lastHalfWidth);
+      if (headPx < kArrowLengthPx) CHECK(halfWidthPx / headPx > kArrowHalfWidthPx / kArrowLengthPx + 0.01);
+      lastHalfWidth = halfWidthPx;
+    }
+  }
+  CHECK(lastHalfWidth == Approx(kArrowHalfWidthPx));
+}
+
 TEST_CASE("all halos lie under all ink") {
   std::vector<OverlayLine> lines{lineFrom({0, 0}, {100, 0}), lineFrom({50, -50}, {50, 50})};
   std::vector<OverlayShape> shapes;
