@@ -34,10 +34,9 @@ double distanceBetween(const Segment2& a, const Segment2& b) {
                    distanceBetween(b.end, a)});
 }
 
-std::optional<Segment2> clipped(const Segment2& s, const Box2& box) {
+std::optional<Stretch> stretchWithin(const Segment2& s, const Box2& box) {
   // Liang-Barsky: the part of the segment inside the box's four half-planes.
-  double enter = 0.0;
-  double leave = 1.0;
+  Stretch stretch;
   const Vec2 d = s.end - s.start;
   for (int axis = 0; axis < 2; ++axis) {
     if (d[axis] == 0.0) {
@@ -46,11 +45,17 @@ std::optional<Segment2> clipped(const Segment2& s, const Box2& box) {
     }
     const double t0 = (box.min[axis] - s.start[axis]) / d[axis];
     const double t1 = (box.max[axis] - s.start[axis]) / d[axis];
-    enter = std::max(enter, std::min(t0, t1));
-    leave = std::min(leave, std::max(t0, t1));
+    stretch.enter = std::max(stretch.enter, std::min(t0, t1));
+    stretch.leave = std::min(stretch.leave, std::max(t0, t1));
   }
-  if (enter > leave) return std::nullopt;
-  return Segment2{s.start + d * enter, s.start + d * leave};
+  if (!(stretch.enter <= stretch.leave)) return std::nullopt;
+  return stretch;
+}
+
+std::optional<Segment2> clipped(const Segment2& s, const Box2& box) {
+  const auto stretch = stretchWithin(s, box);
+  if (!stretch) return std::nullopt;
+  return Segment2{s.at(stretch->enter), s.at(stretch->leave)};
 }
 
 }  // namespace dimline

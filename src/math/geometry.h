@@ -83,6 +83,8 @@ struct Segment2 {
   Vec2 end{0.0};
   [[nodiscard]] double length() const { return glm::length(end - start); }
   [[nodiscard]] Vec2 middle() const { return (start + end) * 0.5; }
+  /// At that share of its length from its start.
+  [[nodiscard]] Vec2 at(double share) const { return start + (end - start) * share; }
 };
 
 /// An axis-aligned box on screen (px). Empty until something is added.
@@ -123,7 +125,15 @@ inline bool segmentsCross(const Segment2& a, const Segment2& b, double byPx = 0)
   return !detail::liesBeside(a, b, 0) && !detail::liesBeside(a, b, 1) && detail::carriersCross(a, b, byPx);
 }
 
-/// The part of a segment within a box, its border included; nothing when it misses the box.
+/// A part of a segment, as shares of its length from its start; 0 <= enter <= leave <= 1.
+struct Stretch {
+  double enter = 0, leave = 1;
+};
+
+/// Where a segment runs within a box, its border included; nothing when it misses the box.
+std::optional<Stretch> stretchWithin(const Segment2& s, const Box2& box);
+
+/// That part of the segment.
 std::optional<Segment2> clipped(const Segment2& s, const Box2& box);
 
 /// Distance between two segments on screen (px): 0 where they meet.

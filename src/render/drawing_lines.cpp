@@ -112,11 +112,11 @@ private:
     for (int i = 0; i <= steps; ++i) {
       // Nearness is linear on screen, so a share of the line on screen is a share of it.
       const double t = first + (last - first) * i / steps;
-      samples_.push_back(look(screen.start + (screen.end - screen.start) * t, nearStart + (nearEnd - nearStart) * t));
+      samples_.push_back(look(screen.at(t), nearStart + (nearEnd - nearStart) * t));
     }
     bridgeGaps(lengthPx / steps);
     const auto at = [&](int i) {
-      return screen.start + (screen.end - screen.start) * (first + (last - first) * i / steps);
+      return screen.at(first + (last - first) * i / steps);
     };
     for (int i = 0; i <= steps; ++i) {
       if (samples_[static_cast<std::size_t>(i)] == Sample::kHidden) continue;

@@ -80,24 +80,6 @@ std::uint32_t pack(const glm::vec4& color, float opacity) {
   return byte(color.r) | (byte(color.g) << 8U) | (byte(color.b) << 16U) | (byte(color.a * opacity) << 24U);
 }
 
-/// The stretch of a segment inside a box as parameters along it; empty (first > second) when it passes by.
-std::pair<double, double> stretchInside(const Segment2& s, const Box2& box) {
-  double enter = 0.0;
-  double leave = 1.0;
-  const Vec2 d = s.end - s.start;
-  for (int axis = 0; axis < 2; ++axis) {
-    if (d[axis] == 0.0) {
-      if (s.start[axis] < box.min[axis] || s.start[axis] > box.max[axis]) return {1.0, 0.0};
-      continue;
-    }
-    const double t0 = (box.min[axis] - s.start[axis]) / d[axis];
-    const double t1 = (box.max[axis] - s.start[axis]) / d[axis];
-    enter = std::max(enter, std::min(t0, t1));
-    leave = std::min(leave, std::max(t0, t1));
-  }
-  return {enter, leave};
-}
-
 Arrow arrowOf(bool sphere, bool draggable, double lengthPx, float handleScale) {
   const double atRest = sphere ? kSphereRadiusPx : kArrowLengthPx;
   const double wanted = atRest * (draggable ? static_cast<double>(handleScale) : 1.0);
@@ -119,12 +101,11 @@ Pieces piecesOf(const OverlayLine& line) {
   pieces.strokes[0] = stroke;
   pieces.strokeCount = 1;
   if (!line.label) return pieces;
-  const auto [enter, leave] = stretchInside(stroke, line.label->grown(kLabelPaddingPx));
-  if (enter >= leave) return pieces;
-  const Vec2 d = stroke.end - stroke.start;
+  const auto covered = stretchWithin(stroke, line.label->grown(kLabelPaddingPx));
+  if (!covered || covered->enter == covered->leave) return pieces;
   pieces.strokeCount = 0;
-  if (enter > 0.0) pieces.strokes[pieces.strokeCount++] = {stroke.start, stroke.start + d * enter};
-  if (leave < 1.0) pieces.strokes[pieces.strokeCount++] = {stroke.end, stroke.start + d * leave};
+  if (covered->enter > 0.0) pieces.strokes[pieces.strokeCount++] = {stroke.start, stroke.at(covered->enter)};
+  if (covered->leave < 1.0) pieces.strokes[pieces.strokeCount++] = {stroke.end, stroke.at(covered->leave)};
   return pieces;
 }
 
@@ -284,9 +265,9 @@ void eachLeg(const OverlayArc& arc, Emit emit) {
 /// From the anchor's dot to the box; nothing when the anchor lies in the box.
 std::optional<Segment2> segmentOf(const OverlayThread& thread) {
   const Segment2 whole{thread.anchor, thread.box.center()};
-  const auto [enter, leave] = stretchInside(whole, thread.box);
-  if (enter <= 0.0 || enter >= leave) return std::nullopt;
-  return Segment2{whole.start, whole.start + (whole.end - whole.start) * enter};
+  const auto within = stretchWithin(whole, thread.box);
+  if (!within || within->enter <= 0.0 || within->enter == within->leave) return std::nullopt;
+  return Segment2{whole.start, whole.at(within->enter)};
 }
 
 void addHair(const Segment2& piece, float opacity, const Hiding& hiding, bool halo, const Theme& theme, ShapeList& list) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <tuple>
+#include <utility>
 
 // Depth after division by w is linear on screen for perspective and orthographic cameras alike, so a triangle is a plane in (x, y, depth) and a sample's
 // depth is a sum of two products. Triangles are walked row by row between their left and right sides.
@@ -11,40 +12,51 @@ namespace dimline {
 
 namespace {
 
-/// A corner in samples (x right, y down) and normalised device depth.
-struct Corner {
-  double x, y, depth;
+using Corner = DepthBuffer::Corner;
+
+/// The first sample of a row or a column of so many whose centre does not come before a place; so those between two places are the ones from the first's to before the
+/// second's. 0 for what is no number. Without calls to the C library's functions, which small triangles would mostly wait for.
+int firstSample(double at, int count) {
+  const double sample = std::min(static_cast<double>(count), std::max(0.0, at - 0.5));
+  const int below = static_cast<int>(sample);
+  return below < sample ? below + 1 : below;
+}
+
+/// A side of a triangle, which runs down.
+struct Side {
+  Corner top;
+  double slope;   ///< samples to the right for one down; meaningless when it is level
+  Side(const Corner& from, const Corner& to) : top(from), slope((to.x - from.x) / (to.y - from.y)) {}
+  [[nodiscard]] double xAt(double y) const { return top.x + slope * (y - top.y); }
 };
 
 /// Calls perSample(x, y, depth) for each sample centre inside a triangle.
 template <typename PerSample>
-void walk(const Corner& a, const Corner& b, const Corner& c, int width, int height, PerSample perSample) {
+void walk(const Corner& a, const Corner& b, const Corner& c, int width, PerSample perSample) {
+  // A detailed model's triangles mostly lie between the centres.
+  const auto [firstX, endX] = std::minmax({a.column, b.column, c.column});
+  const auto [firstY, endY] = std::minmax({a.row, b.row, c.row});
+  if (firstX == endX || firstY == endY) return;
   const double area = (b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y);
   if (!(std::abs(area) > 1e-12)) return;
+  const Corner* top = &a;
+  const Corner* middle = &b;
+  const Corner* bottom = &c;
+  if (middle->y < top->y) std::swap(top, middle);
+  if (bottom->y < middle->y) std::swap(middle, bottom);
+  if (middle->y < top->y) std::swap(top, middle);
   const double slopeX = ((b.depth - a.depth) * (c.y - a.y) - (c.depth - a.depth) * (b.y - a.y)) / area;
   const double slopeY = ((c.depth - a.depth) * (b.x - a.x) - (b.depth - a.depth) * (c.x - a.x)) / area;
-  const std::array<const Corner*, 3> corners{&a, &b, &c};
-  const double top = std::min({a.y, b.y, c.y});
-  const double bottom = std::max({a.y, b.y, c.y});
-  const int firstY = static_cast<int>(std::clamp(std::ceil(top - 0.5), 0.0, static_cast<double>(height)));
-  const int lastY = static_cast<int>(std::clamp(std::floor(bottom - 0.5), -1.0, height - 1.0));
-  for (int y = firstY; y <= lastY; ++y) {
+  const Side whole(*top, *bottom);
+  const Side upper(*top, *middle);
+  const Side lower(*middle, *bottom);
+  for (int y = firstY; y < endY; ++y) {
     const double centerY = y + 0.5;
-    double left = width;
-    double right = 0;
-    for (std::size_t i = 0; i < 3; ++i) {
-      const Corner& p = *corners[i];
-      const Corner& q = *corners[(i + 1) % 3];
-      if ((p.y <= centerY) == (q.y <= centerY)) continue;
-      const double x = p.x + (q.x - p.x) * (centerY - p.y) / (q.y - p.y);
-      left = std::min(left, x);
-      right = std::max(right, x);
-    }
-    const int firstX = static_cast<int>(std::max(std::ceil(left - 0.5), 0.0));
-    const int lastX = static_cast<int>(std::min(std::floor(right - 0.5), width - 1.0));
-    for (int x = firstX; x <= lastX; ++x) {
-      perSample(x, y, a.depth + slopeX * (x + 0.5 - a.x) + slopeY * (centerY - a.y));
-    }
+    const double one = whole.xAt(centerY);
+    const double other = (centerY < middle->y ? upper : lower).xAt(centerY);
+    const int end = firstSample(std::max(one, other), width);
+    const double depth = a.depth + slopeX * (0.5 - a.x) + slopeY * (centerY - a.y);
+    for (int x = firstSample(std::min(one, other), width); x < end; ++x) perSample(x, y, depth + slopeX * x);
   }
 }
 
@@ -61,14 +73,18 @@ void DepthBuffer::reset(const View& view, int maxSide) {
   depth_.assign(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_), 1.0F);
 }
 
+DepthBuffer::Corner DepthBuffer::cornerAt(const Vec3& world) const {
+  const Vec4 clip = view_.viewProjection() * Vec4(world, 1.0);
+  const double x = (clip.x / clip.w * 0.5 + 0.5) * width_;
+  const double y = (0.5 - clip.y / clip.w * 0.5) * height_;
+  return {x, y, clip.z / clip.w, firstSample(x, width_), firstSample(y, height_)};
+}
+
 template <typename PerSample>
 void DepthBuffer::rasterise(const std::array<Vec3, 3>& world, PerSample perSample) const {
   std::array<Corner, 4> corners;
   std::size_t count = 0;
-  const auto add = [&](const Vec3& p) {
-    const Vec4 clip = view_.viewProjection() * Vec4(p, 1.0);
-    corners[count++] = {(clip.x / clip.w * 0.5 + 0.5) * width_, (0.5 - clip.y / clip.w * 0.5) * height_, clip.z / clip.w};
-  };
+  const auto add = [&](const Vec3& p) { corners[count++] = cornerAt(p); };
   for (std::size_t i = 0; i < 3; ++i) {
     const Vec3& a = world[i];
     const Vec3& b = world[(i + 1) % 3];
@@ -77,23 +93,39 @@ void DepthBuffer::rasterise(const std::array<Vec3, 3>& world, PerSample perSampl
     if (beyondA >= 0) add(a);
     if ((beyondA >= 0) != (beyondB >= 0)) add(a + (b - a) * (beyondA / (beyondA - beyondB)));
   }
-  for (std::size_t i = 2; i < count; ++i) walk(corners[0], corners[i - 1], corners[i], width_, height_, perSample);
+  for (std::size_t i = 2; i < count; ++i) walk(corners[0], corners[i - 1], corners[i], width_, perSample);
+}
+
+void DepthBuffer::keepNearest(int x, int y, double depth) {
+  float& nearest = depth_[static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x)];
+  nearest = std::min(nearest, static_cast<float>(depth));
 }
 
 void DepthBuffer::draw(const std::array<Vec3, 3>& triangleWorld) {
-  rasterise(triangleWorld, [&](int x, int y, double depth) {
-    float& nearest = depth_[static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x)];
-    nearest = std::min(nearest, static_cast<float>(depth));
-  });
+  rasterise(triangleWorld, [this](int x, int y, double depth) { keepNearest(x, y, depth); });
 }
 
 void DepthBuffer::draw(const Scene& scene) {
   for (const Instance& instance : scene.instances) {
     const Mesh& mesh = scene.meshes[instance.mesh];
     const Mat4 toWorld(instance.transform);
-    corners_.clear();
-    for (const glm::vec3& p : mesh.positions) corners_.emplace_back(toWorld * Vec4(Vec3(p), 1.0));
-    for (const auto& t : mesh.triangles) draw({corners_[t[0]], corners_[t[1]], corners_[t[2]]});
+    const auto worldOf = [&](std::uint32_t vertex) { return Vec3(toWorld * Vec4(Vec3(mesh.positions[vertex]), 1.0)); };
+    vertices_.clear();
+    for (std::uint32_t i = 0; i < mesh.positions.size(); ++i) {
+      const Vec3 world = worldOf(i);
+      const bool inFront = view_.depth(world) >= view_.nearM();
+      vertices_.push_back({inFront ? cornerAt(world) : Corner{}, inFront});
+    }
+    for (const auto& t : mesh.triangles) {
+      const Vertex& a = vertices_[t[0]];
+      const Vertex& b = vertices_[t[1]];
+      const Vertex& c = vertices_[t[2]];
+      if (a.inFront && b.inFront && c.inFront) {
+        walk(a.corner, b.corner, c.corner, width_, [this](int x, int y, double depth) { keepNearest(x, y, depth); });
+      } else if (a.inFront || b.inFront || c.inFront) {
+        draw({worldOf(t[0]), worldOf(t[1]), worldOf(t[2])});
+      }
+    }
   }
 }
 

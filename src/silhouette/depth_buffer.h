@@ -13,6 +13,12 @@ namespace dimline {
 /// resolution is its own, not the viewport's.
 class DepthBuffer {
  public:
+  /// A place in the buffer: samples (x right, y down) and normalised device depth.
+  struct Corner {
+    double x = 0, y = 0, depth = 0;
+    int column = 0, row = 0;   ///< the first ones whose centres do not come before it; those of the buffer's end where there are none
+  };
+
   /// Samples along x and y of a buffer over the view's whole viewport, never finer than its pixels.
   static std::pair<int, int> sizeFor(const View& view, int maxSide);
 
@@ -39,13 +45,20 @@ class DepthBuffer {
   }
 
  private:
+  struct Vertex {
+    Corner corner;          ///< meaningless unless inFront
+    bool inFront = false;   ///< of the near plane, or on it
+  };
+
+  [[nodiscard]] Corner cornerAt(const Vec3& world) const;
+  void keepNearest(int x, int y, double depth);
   template <typename PerSample>
   void rasterise(const std::array<Vec3, 3>& triangleWorld, PerSample perSample) const;
 
   View view_;
   int width_ = 0, height_ = 0;
   std::vector<float> depth_;
-  std::vector<Vec3> corners_;   ///< of the instance that is drawn, in the world
+  std::vector<Vertex> vertices_;   ///< of the instance that is drawn
 };
 
 }  // namespace dimline

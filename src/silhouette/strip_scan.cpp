@@ -85,26 +85,13 @@ void StripScan::scanInside(const Vec2& a, const Vec2& b) {
 }
 
 void StripScan::scan(const Vec2& a, const Vec2& b) {
-  // Liang-Barsky: the part of the segment between the viewport's four sides.
-  const Vec2 d = b - a;
+  const Segment2 edge{a, b};
   const Vec2 end(widthPx_, heightPx_);
-  double enter = 0;
-  double leave = 1;
-  for (int axis = 0; axis < 2; ++axis) {
-    if (d[axis] == 0) {
-      if (a[axis] < 0 || a[axis] > end[axis]) return;
-      continue;
-    }
-    const double atLow = -a[axis] / d[axis];
-    const double atHigh = (end[axis] - a[axis]) / d[axis];
-    enter = std::max(enter, std::min(atLow, atHigh));
-    leave = std::min(leave, std::max(atLow, atHigh));
-  }
-  if (!(enter <= leave)) return;
+  const auto stretch = stretchWithin(edge, {Vec2(0.0), end});
+  if (!stretch) return;
   // Rounding may leave the ends a hair outside.
-  const Vec2 from = enter > 0 ? glm::clamp(a + d * enter, Vec2(0.0), end) : a;
-  const Vec2 to = leave < 1 ? glm::clamp(a + d * leave, Vec2(0.0), end) : b;
-  scanInside(from, to);
+  const auto onScreenAt = [&](double share) { return glm::clamp(edge.at(share), Vec2(0.0), end); };
+  scanInside(stretch->enter > 0 ? onScreenAt(stretch->enter) : a, stretch->leave < 1 ? onScreenAt(stretch->leave) : b);
 }
 
 bool StripScan::knows(float left, float right, float top, float bottom) const {
