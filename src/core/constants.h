@@ -43,6 +43,8 @@ inline constexpr double kForeshortenedAngleRad = 0.165;
 
 /// rad. The same for the plane of an arc: seen from its edge it looks like a short straight line, with an arrow that points anywhere.
 inline constexpr double kArcForeshortenedAngleRad = 0.3;
+/// The same for one that is hidden, so that it does not come and go at the edge: it is shown again a degree further on. Larger: an angle that can be read is missing.
+inline constexpr double kArcShownAgainAngleRad = 0.32;
 
 /// How many times as far from the viewer as its base line a line may lie in perspective, and so how much smaller it may be drawn. Larger: from near by, lines lie far behind what they measure,
 /// and 34 m is drawn shorter than 19 m beside it. Smaller: more lines have no place but on the model.

@@ -104,8 +104,8 @@ std::optional<HiddenReason> placeArc(const OtherHandle& handle, const OtherHandl
     const double metresPerPx = context.view.metresPerPixelAt(box.origin);
     const Arc home = arcAt(handle.annotation, box, handle.value * kRadPerDeg, leastArcRadiusPx(handle.definition) * metresPerPx, kArcMaxRadiusPx * metresPerPx);
     const double facingShare = std::abs(glm::dot(home.axis, context.view.directionTo(box.center())));
-    const double factor = handle.showAll ? kShowAllLengthPx / kMinLineLengthPx : handle.history.hidden() ? kShowAgainFactor : 1.0;
-    if (facingShare < std::sin(kArcForeshortenedAngleRad * factor)) continue;
+    const double leastRad = handle.showAll ? kArcForeshortenedAngleRad * kShowAllLengthPx / kMinLineLengthPx : handle.history.hidden() ? kArcShownAgainAngleRad : kArcForeshortenedAngleRad;
+    if (facingShare < std::sin(leastRad)) continue;
     facing = true;
     const auto offer = [&](const Arc& arc, PlacementKind placement, int direction, double offerScore) {
       std::array<Vec2, kArcSamples + 1> points;

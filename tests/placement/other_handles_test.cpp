@@ -540,14 +540,20 @@ TEST_CASE("an arc is hidden before it looks like a straight line") {
   const Parameter parameter{.name = "Pitch", .title = "Pitch", .type = ParameterType::kAngle, .unit = Unit::kDegree, .max = 90};
   const Annotation annotation = annotated(HandleType::kAngular, Orient::kRight, Slip::kNone);
   const auto axes = stage.scene.scopes[0].box.axes;
-  const auto hiddenAt = [&](double fromEdgeRad) {
+  const auto hiddenAt = [&](double fromEdgeRad, History& history) {
     Obb& box = stage.scene.scopes[0].box;
     for (std::size_t i = 0; i < 3; ++i) box.axes[i] = glm::rotate(glm::dmat4(1.0), fromEdgeRad, glm::dvec3(0, 1, 0)) * glm::dvec4(axes[i], 0);
     PlacedHandle placed;
-    return placeArc({0, parameter, annotation, stage.scopes, 30, stage.none}, stage.context(), placed) == HiddenReason::kForeshortened;
+    return placeArc({0, parameter, annotation, stage.scopes, 30, history}, stage.context(), placed) == HiddenReason::kForeshortened;
   };
-  CHECK(hiddenAt(0.95 * kArcForeshortenedAngleRad));
-  CHECK_FALSE(hiddenAt(1.05 * kArcForeshortenedAngleRad));
+  CHECK(hiddenAt(0.95 * kArcForeshortenedAngleRad, stage.none));
+  CHECK_FALSE(hiddenAt(1.05 * kArcForeshortenedAngleRad, stage.none));
+
+  // One that was hidden comes back a little further on, but no later: an angle that can be read has its arc.
+  History hidden = stage.none;
+  hidden.choseNone();
+  CHECK(hiddenAt(kArcForeshortenedAngleRad + 0.01, hidden));
+  CHECK_FALSE(hiddenAt(kArcForeshortenedAngleRad + 0.03, hidden));
 }
 
 TEST_CASE("an arc seen edge-on is not shown") {
