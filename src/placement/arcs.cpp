@@ -77,6 +77,12 @@ double leastArcRadiusPx(const Parameter& definition) {
   return std::clamp(kArcMinLengthPx / std::max(angleRad, kArcMinLengthPx / kArcMaxRadiusPx), kArcMinRadiusPx, kArcMaxRadiusPx);
 }
 
+/// How far from edge-on (rad) an arc's plane must be for it to be shown.
+double leastFacingRad(const OtherHandle& handle) {
+  if (handle.showAll) return kArcForeshortenedAngleRad * kShowAllLengthPx / kMinLineLengthPx;
+  return handle.history.hidden() ? kArcShownAgainAngleRad : kArcForeshortenedAngleRad;
+}
+
 }  // namespace
 
 Arc arcAt(const Annotation& annotation, const Obb& scope, double angleRad, double minRadiusM, double maxRadiusM) {
@@ -96,6 +102,7 @@ Arc arcAt(const Annotation& annotation, const Obb& scope, double angleRad, doubl
 std::optional<HiddenReason> placeArc(const OtherHandle& handle, const OtherHandleContext& context, PlacedHandle& placed) {
   const std::string text = labelText(handle.definition, handle.value);
   const Vec2 labelSize = labelSizePx(text);
+  const double leastFacing = std::sin(leastFacingRad(handle));
   bool found = false;
   bool facing = false;   // one is not edge-on
   double bestScore = -std::numeric_limits<double>::infinity();
@@ -104,8 +111,7 @@ std::optional<HiddenReason> placeArc(const OtherHandle& handle, const OtherHandl
     const double metresPerPx = context.view.metresPerPixelAt(box.origin);
     const Arc home = arcAt(handle.annotation, box, handle.value * kRadPerDeg, leastArcRadiusPx(handle.definition) * metresPerPx, kArcMaxRadiusPx * metresPerPx);
     const double facingShare = std::abs(glm::dot(home.axis, context.view.directionTo(box.center())));
-    const double leastRad = handle.showAll ? kArcForeshortenedAngleRad * kShowAllLengthPx / kMinLineLengthPx : handle.history.hidden() ? kArcShownAgainAngleRad : kArcForeshortenedAngleRad;
-    if (facingShare < std::sin(leastRad)) continue;
+    if (facingShare < leastFacing) continue;
     facing = true;
     const auto offer = [&](const Arc& arc, PlacementKind placement, int direction, double offerScore) {
       std::array<Vec2, kArcSamples + 1> points;

@@ -120,6 +120,7 @@ test("a slider that is let go of where it began has ended, and one in motion ask
   const before = await valueOf(page, "Depth");
   await call(page, "setParameterContinuous", "Depth", before + 1);
   await row("Depth").and(page.locator("[data-live]")).waitFor(); // the panel hears of it with the next frame
+  assert.equal(await row("Depth").getAttribute("data-live"), "");
   await call(page, "endContinuous");
   await page.click("#undo");
   await settle(page);
