@@ -16,6 +16,8 @@ constexpr std::string_view kHelp =
     "Usage: dimline export MODEL [--set NAME=VALUE …] -o OUT.glb\n\n"
     "Writes a model as binary glTF 2.0: geometry, base colours and their textures. MODEL is a built-in name\n"
     "(dimline models lists them), or the path of a .gltf or .glb file.\n\n"
+    "The file is the model at these values: parameters and scopes stay behind, and patterns, which the renderer\n"
+    "draws, become one colour: a brick wall that of its bricks.\n\n"
     "  --set NAME=VALUE     a parameter's value, in its own unit; repeatable\n"
     "  -o OUT.glb           where the model goes; - is standard output\n";
 

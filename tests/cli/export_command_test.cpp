@@ -48,6 +48,12 @@ TEST_CASE("to standard output goes the same as to a file") {
   CHECK(run.out.starts_with("glTF"));
 }
 
+TEST_CASE("the help says what an exported file goes without") {
+  const Run help = runProgram({"export", "--help"});
+  CHECK(help.status == 0);
+  for (const std::string_view lost : {"parameters", "scopes", "patterns"}) CHECK(help.out.find(lost) != std::string::npos);
+}
+
 TEST_CASE("what cannot be exported gets a sentence, and leaves no file") {
   struct Case {
     std::vector<std::string> arguments;
