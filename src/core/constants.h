@@ -100,6 +100,12 @@ inline constexpr double kCrossingPx = 0.5;
 inline constexpr double kSameLinePx = 1.5;
 inline constexpr double kExtensionAsidePx = 4.0;
 
+/// px. An extension line gets past another's line that reaches so far over it by a jog (placement/jogs.h), so much beyond the line's end as a share of that, where it bends by no more than this slope on either side.
+/// Less: more lines run across extension lines, or change places not to. More, or steeper: the kink is seen before what it spares.
+inline constexpr double kMostJoggedPx = 8.0;
+inline constexpr double kJogBeyondShare = 0.3;
+inline constexpr double kMostJogSlope = 0.2;
+
 /// px2 of viewport for each parameter, from which on all lines are shown, however much in each other's way.
 /// Below it one that would run into another, or through a number, is hidden: that which is placed later, mostly the longer one. To hide the shortest until none is in another's way takes many that are in nobody's.
 inline constexpr double kCrowdedPx2 = 20000.0;

@@ -19,10 +19,10 @@ Vec2 anchorPoint(LabelAnchor::To to, const Segment2& line) {
   return line.middle();
 }
 
-/// Shifts an extension line's ends as those of base line and line were shifted, so that one that was moved aside stays beside them; a bend goes half with each.
+/// Shifts an extension line's ends as those of base line and line were shifted, so that one that was moved aside stays beside them; bends go half with each.
 void shiftEnds(ExtensionLine& extension, const Vec2& first, const Vec2& last) {
   if (extension.empty()) return;
-  if (extension.size() > 2) extension[1] += 0.5 * (first + last);
+  for (std::size_t i = 1; i + 1 < extension.size(); ++i) extension[i] += 0.5 * (first + last);
   extension.front() += first;
   extension.back() += last;
 }

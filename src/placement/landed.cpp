@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <span>
 
+#include "placement/jogs.h"
+
 namespace dimline {
 
 namespace {
@@ -55,7 +57,8 @@ void Landed::add(const PlacedLine& line, int guide) {
   for (const auto* extension : {&line.extensionStart, &line.extensionEnd}) {
     for (std::size_t i = 1; i < extension->size(); ++i) {
       const Segment2 part{(*extension)[i - 1], (*extension)[i]};
-      if (!hasExtension(part, parameter)) extensions_.push_back({part, parameter});
+      const auto kind = i + 1 == extension->size() ? Extension::Kind::kLast : Extension::Kind::kRigid;
+      if (!hasExtension(part, parameter)) extensions_.push_back({part, parameter, kind});
     }
   }
   if (line.label) labels_.push_back(*line.label);
@@ -63,8 +66,10 @@ void Landed::add(const PlacedLine& line, int guide) {
 
 void Landed::add(const Segment2& base, const Segment2& foot, const Segment2& line) {
   lines_.push_back({line, -1, line.middle() - base.middle()});
-  for (const Segment2& part : extensionParts(base, foot, line)) {
-    if (part.start != part.end && !hasExtension(part)) extensions_.push_back({part});
+  const auto parts = extensionParts(base, foot, line);
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    if (parts[i].start == parts[i].end || hasExtension(parts[i])) continue;
+    extensions_.push_back({.segment = parts[i], .kind = isLastPart(i) ? Extension::Kind::kLast : Extension::Kind::kRigid});
   }
 }
 
@@ -91,7 +96,7 @@ void Landed::backTo(const Mark& mark) {
 void Landed::add(const PlacedHandle& handle, const View& view) {
   labels_.push_back(handle.box);
   if (!handle.arc) {
-    if (!handle.box.contains(handle.anchor)) extensions_.push_back({.segment = {handle.anchor, handle.box.center()}, .thread = true});
+    if (!handle.box.contains(handle.anchor)) extensions_.push_back({.segment = {handle.anchor, handle.box.center()}, .kind = Extension::Kind::kThread});
     return;
   }
   // Two chords and the arms come near enough to an arc for what keeps away from it.
@@ -109,38 +114,66 @@ void Landed::add(const PlacedHandle& handle, const View& view) {
 
 Landed::Crossings Landed::crossings(const Segment2& base, const Segment2& foot, const Segment2& line) const {
   Crossings found;
-  const auto add = [&](const Segment2& part, bool isLine) {
-    const bool overLine = crossesLine(part);
-    const bool overExtension = crossesExtension(part);
-    found.lines = found.lines || overLine || overExtension;
-    found.extensions = found.extensions || (isLine ? overExtension : overLine);
+  const auto add = [&](const Segment2& part, bool runsAcross) {
+    found.extensions = found.extensions || runsAcross;
+    found.lines = found.lines || runsAcross || crossesLine(part) || crossesExtension(part);
     found.labels = found.labels || coversLabel(part);
   };
-  add(line, true);
+  add(line, findUnder(line) != nullptr);
   const auto parts = extensionParts(base, foot, line);
-  for (auto part = parts.begin(); part != parts.end(); ++part) {
-    if (part->start != part->end && (part == parts.begin() || !same(*part, part[-1]))) add(*part, false);
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    if (parts[i].start == parts[i].end || (i > 0 && same(parts[i], parts[i - 1]))) continue;
+    add(parts[i], isUnderAny(parts[i], isLastPart(i)));
   }
   return found;
 }
 
 Landed::Tangle Landed::tangle(const Segment2& line, std::span<const Segment2> extensions) const {
   Tangle tangle;
-  const auto crossed = std::ranges::find_if(extensions_, [&](const Extension& e) { return segmentsCross(line, e.segment, kCrossingPx); });
-  if (crossed != extensions_.end()) tangle = {1, crossed->parameter};
+  if (const Extension* under = findUnder(line)) tangle = {1, under->parameter};
   for (const Line& l : lines_) {
-    if (std::ranges::none_of(extensions, [&](const Segment2& part) { return segmentsCross(part, l.segment, kCrossingPx); })) continue;
+    bool across = false;
+    for (std::size_t i = 0; i < extensions.size() && !across; ++i) across = runsAcross(l.segment, extensions[i], isLastPart(i));
+    if (!across) continue;
     ++tangle.lines;
     tangle.parameter = l.parameter;
   }
   return tangle;
 }
 
+const Landed::Extension* Landed::findUnder(const Segment2& line) const {
+  const auto under = std::ranges::find_if(extensions_, [&](const Extension& e) { return runsAcross(line, e.segment, e.kind == Extension::Kind::kLast); });
+  return under == extensions_.end() ? nullptr : &*under;
+}
+
+bool Landed::isUnderAny(const Segment2& part, bool isLast) const {
+  return std::ranges::any_of(lines_, [&](const Line& l) { return runsAcross(l.segment, part, isLast); });
+}
+
+bool Landed::runsAcross(const Segment2& line, const Segment2& part, bool isLast) const {
+  return segmentsCross(line, part, kCrossingPx) && !(isLast && jogPast(line, part));
+}
+
+std::optional<Vec2> Landed::jogPast(const Segment2& line, const Segment2& lastPart) const {
+  const auto jog = jogPastEnd(line, lastPart);
+  if (!jog) return std::nullopt;
+  const Across first = across({lastPart.start, *jog}), second = across({*jog, lastPart.end});
+  if (first.lines + second.lines > 0 || first.labels + second.labels > across(lastPart).labels) return std::nullopt;
+  // Where the line's neighbour begins at its end the jog would lie on that.
+  const auto inTheWay = [&](const Line& l) { return !same(l.segment, line) && distanceBetween(*jog, l.segment) < kSameLinePx; };
+  return std::ranges::none_of(lines_, inTheWay) ? jog : std::nullopt;
+}
+
+std::optional<Vec2> Landed::jogOf(const Segment2& lastPart) const {
+  const auto crossed = std::ranges::find_if(lines_, [&](const Line& l) { return segmentsCross(l.segment, lastPart, kCrossingPx); });
+  return crossed == lines_.end() ? std::nullopt : jogPast(crossed->segment, lastPart);
+}
+
 Landed::Crossings Landed::extensionCrossings(std::span<const Segment2> extensions) const {
   Crossings found;
-  for (const Segment2& part : extensions) {
-    found.extensions = found.extensions || crossesLine(part);
-    found.labels = found.labels || coversLabel(part);
+  for (std::size_t i = 0; i < extensions.size(); ++i) {
+    found.extensions = found.extensions || isUnderAny(extensions[i], isLastPart(i));
+    found.labels = found.labels || coversLabel(extensions[i]);
   }
   return found;
 }
@@ -192,7 +225,7 @@ Landed::Across Landed::across(const Segment2& segment) const {
   Across across{.lines = static_cast<int>(std::ranges::count_if(lines_, crossed)),
                 .labels = static_cast<int>(std::ranges::count_if(labels_, [&](const Box2& label) { return meets(segment, label); }))};
   for (const Extension& e : extensions_) {
-    if (crossed(e)) ++(e.thread ? across.threads : across.extensions);
+    if (crossed(e)) ++(e.kind == Extension::Kind::kThread ? across.threads : across.extensions);
   }
   return across;
 }

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -9,11 +11,14 @@
 
 namespace dimline {
 
-/// The extension lines of a line, from its base line by way of its foot on the plane, in parts. A foot that is the base line's own end makes a part of no length, which crosses
-/// nothing.
-inline std::array<Segment2, 4> extensionParts(const Segment2& base, const Segment2& foot, const Segment2& line) {
+/// The extension lines of a line, from its base line by way of its foot on the plane, in parts, the last ones of both first. A foot that is the base line's own end makes a part of no length, which
+/// crosses nothing.
+constexpr std::size_t kExtensionParts = 4;
+inline std::array<Segment2, kExtensionParts> extensionParts(const Segment2& base, const Segment2& foot, const Segment2& line) {
   return {Segment2{foot.start, line.start}, Segment2{foot.end, line.end}, Segment2{base.start, foot.start}, Segment2{base.end, foot.end}};
 }
+/// Whether the part of that number is the last of its extension line, which may have a jog; of several lines' parts, one line's after the other's.
+constexpr bool isLastPart(std::size_t number) { return number % kExtensionParts < 2; }
 
 /// What has been placed so far in this frame, as it lies on screen: the exact side of what the fields know by strips. Answers the score's Intersect term,
 /// whether a label has room, and whether a line may lie on a guide.
@@ -51,9 +56,14 @@ class Landed {
   void backTo(const Mark& mark);
   /// A part of an extension line, and the parameter whose line it belongs to; -1 with a line that was added without.
   struct Extension {
+    enum class Kind : char {
+      kRigid,   ///< before the bend at the plane, an arc's leg, or a line for which room is reserved
+      kLast,    ///< the last part, up to the line, which may have a jog
+      kThread   ///< from a pill to its anchor, in place of an extension line
+    };
     Segment2 segment;
     int parameter = -1;
-    bool thread = false;   ///< from a pill to its anchor, in place of an extension line
+    Kind kind = Kind::kRigid;
   };
   /// What of extension lines has landed since. Neighbours in a chain share one, which landed with the first.
   [[nodiscard]] std::span<const Extension> extensionsSince(const Mark& mark) const { return std::span(extensions_).subspan(mark.extensions); }
@@ -61,19 +71,22 @@ class Landed {
   /// What a line, or one of its extension lines from the base line by way of its foot on the plane, runs across of what has landed.
   struct Crossings {
     bool lines = false;        ///< a line or an extension line, with either (paper 4.2, Intersect)
-    bool extensions = false;   ///< an extension line with the line, or a line with one of its extension lines
+    bool extensions = false;   ///< an extension line with the line, or a line with one of its extension lines, where that has no jog
     bool labels = false;
   };
   [[nodiscard]] Crossings crossings(const Segment2& base, const Segment2& foot, const Segment2& line) const;
 
-  /// The lines that run across another's extension line, of this one and those that have landed.
+  /// The lines that run across another's extension line, of this one and those that have landed, where that has no jog.
   struct Tangle {
     int lines = 0;           ///< how many
     int parameter = -1;      ///< whose line, or extension line, is in it with this one; -1 without one, and for a handle that is no line
   };
   /// `line`: a line, or a chain from its one end to the other. `extensions`: its extension lines in parts, or those of all its members.
   [[nodiscard]] Tangle tangle(const Segment2& line, std::span<const Segment2> extensions) const;
-  /// Whether one of these runs across a line that has landed, or through a label.
+  /// Where the last part of an extension line bends to get past the end of a line that has landed and that it runs across, and across no other for that, nor through more labels (jogs.h). Nothing where it
+  /// runs across none, or cannot get past.
+  [[nodiscard]] std::optional<Vec2> jogOf(const Segment2& lastPart) const;
+  /// Whether one of these, which are the extension lines of one or more lines in parts, runs across a line that has landed, or through a label.
   [[nodiscard]] Crossings extensionCrossings(std::span<const Segment2> extensions) const;
 
   /// Whether a line that measures `lengthM` and one that has landed, on another guide, run beside each other on the same side of their base lines, and the longer one, in the world, is nearer to the
@@ -120,6 +133,13 @@ class Landed {
     double lengthM = 0;   ///< of its base line
   };
   [[nodiscard]] bool crossesLine(const Segment2& segment) const;
+  // Of a line and a part of an extension line either may be one that has not landed; the last part has a jog where it can get past.
+  [[nodiscard]] bool runsAcross(const Segment2& line, const Segment2& part, bool isLast) const;
+  [[nodiscard]] std::optional<Vec2> jogPast(const Segment2& line, const Segment2& lastPart) const;
+  /// An extension line across which a line runs; null for none.
+  [[nodiscard]] const Extension* findUnder(const Segment2& line) const;
+  /// Whether any line that has landed runs across a part of an extension line.
+  [[nodiscard]] bool isUnderAny(const Segment2& part, bool isLast) const;
 
   std::vector<Line> lines_ = withRoomFor<Line>(kReservedLines);
   std::vector<Extension> extensions_ = withRoomFor<Extension>(2 * kReservedLines);

@@ -58,8 +58,8 @@ struct Handle {
   Vec2 screen{0.0};    ///< the arrowhead's tip, or a pill's middle (px)
 };
 
-/// A polyline, px, from an end of the base line by way of its foot on the plane, where there is another, to that of the final line.
-using ExtensionLine = FixedVector<Vec2, 3>;
+/// A polyline, px, from an end of the base line by way of its foot on the plane, where there is another, and of a jog (jogs.h), where there is one, to that of the final line.
+using ExtensionLine = FixedVector<Vec2, 4>;
 
 /// One dimension line as it is to be shown.
 struct PlacedLine {

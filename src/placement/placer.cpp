@@ -224,6 +224,7 @@ void Placer::place(const View& view, const DistanceFields& fields, const Values&
   if (tidies) s.tidy(frame, layout);
   s.firm = firm;
   s.past.labels.note(layout.lines, frame.viewMoved);
+  s.jogExtensions(layout.lines);
   if (s.showHidden) s.placeOnDemand(frame, sceneChanged, layout);
 
   layout.view = view;
@@ -405,9 +406,25 @@ void Placer::State::placeOnDemand(const FrameToPlace& frame, bool sceneChanged, 
   past.lookAhead.begin(frame.viewMoved || sceneChanged);
   past.lookAhead.project(order, past.placingOrder.ranks(), frame.view, frame.fields);
   placeAllHidden(frame, layout);
-  past.labels.note(std::span(layout.lines).subspan(shown), frame.viewMoved);
+  const std::span<PlacedLine> added = std::span(layout.lines).subspan(shown);
+  past.labels.note(added, frame.viewMoved);
+  jogExtensions(added);
   showAll = false;
   std::swap<Choices>(past, onDemand);
+}
+
+/// Bends extension lines round the ends of lines, once all of them are there.
+void Placer::State::jogExtensions(std::span<PlacedLine> lines) const {
+  for (PlacedLine& line : lines) {
+    for (ExtensionLine* extension : {&line.extensionStart, &line.extensionEnd}) {
+      if (extension->empty()) continue;
+      const Segment2 last{(*extension)[extension->size() - 2], extension->back()};
+      const auto jog = occupied.landed().jogOf(last);
+      if (!jog) continue;
+      extension->back() = *jog;
+      extension->push_back(last.end);
+    }
+  }
 }
 
 void Placer::State::forgetOffsets() {

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "placement/arcs.h"
+#include "placement/jogs.h"
 #include "placement/labels.h"
 #include "placement/on_screen.h"
 #include "placement/pills.h"
@@ -382,6 +383,7 @@ void Placer::State::landHeld(Measured& measured, const PlacedLine& held, Layout&
   }
   PlacedLine& line = append(layout.lines, spareLines);
   line = held;
+  straighten(line);
   occupied.add(line, guideThrough(line));
 }
 

@@ -161,6 +161,7 @@ struct Placer::State {
   [[nodiscard]] bool looksInVain() const;
   void swapWithBest(Layout& layout);
   void placeOnDemand(const FrameToPlace& frame, bool sceneChanged, Layout& layout);
+  void jogExtensions(std::span<PlacedLine> lines) const;
 
   // placer_attempt.cpp
   void placeAllLines(const FrameToPlace& frame, Layout& layout);

@@ -109,13 +109,10 @@ Pieces piecesOf(const OverlayLine& line) {
   return pieces;
 }
 
-/// Window depths at the points of an extension line: where it begins, where it bends, and where it ends.
-using BendDepths = std::array<float, 3>;
-
 /// Runs emit(segment, depths of its ends) over an extension line: it stands off the base line's end and runs on past the final line.
 template <typename Emit>
-void eachExtensionPiece(std::span<const Vec2> polyline, const BendDepths& depths, Emit emit) {
-  const auto depthAt = [&](std::size_t point) { return point == 0 ? depths[0] : point + 1 == polyline.size() ? depths[2] : depths[1]; };
+void eachExtensionPiece(std::span<const Vec2> polyline, const PointDepths& depths, Emit emit) {
+  const auto depthAt = [&](std::size_t point) { return point < depths.size() ? depths[point] : 0.0F; };
   double length = 0;
   for (std::size_t i = 1; i < polyline.size(); ++i) length += glm::length(polyline[i] - polyline[i - 1]);
   if (!(length > kExtensionGapPx) || !std::isfinite(length)) return;
@@ -283,8 +280,8 @@ void addExtensions(const OverlayLine& line, bool halos, const Theme& theme, Shap
   const ExtensionDepths depths = line.extensionDepths.value_or(ExtensionDepths{});
   const float share = line.extensionDepths && !line.hovered && !line.active ? kExtensionHiddenShare : 1.0F;
   const auto add = [&](const Segment2& piece, const EndDepths& ends) { addHair(piece, line.opacity, {ends, share}, halos, theme, list); };
-  eachExtensionPiece(line.extensionStart, {depths.base.x, depths.foot.x, depths.line.x}, add);
-  eachExtensionPiece(line.extensionEnd, {depths.base.y, depths.foot.y, depths.line.y}, add);
+  eachExtensionPiece(line.extensionStart, depths.start, add);
+  eachExtensionPiece(line.extensionEnd, depths.end, add);
 }
 
 /// The thin lines that tie what is outside to the model, or their halos.

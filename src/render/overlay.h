@@ -9,6 +9,7 @@
 
 #include "editing/drag_marks.h"
 #include "math/geometry.h"
+#include "placement/layout.h"
 #include "render/theme.h"
 
 namespace dimline {
@@ -16,9 +17,12 @@ namespace dimline {
 /// Window depths (View::windowDepth) of the two ends of something straight: the model hides what lies behind it.
 using EndDepths = glm::vec2;
 
-/// Those of a line's extension lines: where they begin, where they bend, and where they end.
+/// Those at the points of an extension line, as many as it has.
+using PointDepths = FixedVector<float, ExtensionLine::kCapacity>;
+
+/// Those of a line's extension lines.
 struct ExtensionDepths {
-  EndDepths base{0.0F}, foot{0.0F}, line{0.0F};
+  PointDepths start, end;
 };
 
 /// One dimension line as it is to be drawn, on screen (CSS px). Plain data: placement and animation are decided elsewhere.

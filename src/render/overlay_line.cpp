@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "core/constants.h"
+#include "placement/jogs.h"
 
 namespace dimline {
 
@@ -26,6 +27,23 @@ double reachOf(const Obb& box, const Vec3& direction) {
 double withinScopeM(const PlacedLine& line, const Scene& scene, const View& view) {
   const bool edge = line.type == HandleType::kLinearContour || line.scope >= scene.scopes.size();
   return edge ? 0.0 : reachOf(scene.scopes[line.scope].box, view.directionTo(line.base.middle()));
+}
+
+/// At the points of an extension line, of which those in the world are known: the base line's end, its foot on the plane and the final line's end. Along what is straight on screen depth grows evenly.
+PointDepths pointDepths(const ExtensionLine& points, float base, float foot, float line, bool bendsAtPlane) {
+  PointDepths depths;
+  if (points.empty()) return depths;
+  depths.push_back(base);
+  const std::size_t straight = bendsAtPlane ? 3 : 2;
+  if (bendsAtPlane && points.size() >= straight) depths.push_back(foot);
+  if (points.size() > straight) {   // a jog
+    const std::size_t jog = points.size() - 2;
+    const double before = glm::length(points[jog] - points[jog - 1]);
+    const double after = glm::length(points[jog + 1] - points[jog]);
+    depths.push_back(glm::mix(depths.back(), line, static_cast<float>(before / (before + after))));
+  }
+  depths.push_back(line);
+  return depths;
 }
 
 }  // namespace
@@ -52,8 +70,10 @@ OverlayLine overlayLine(const PlacedLine& line, const Scene& scene, const View& 
   if (line.placement == PlacementKind::kInside) {
     drawn.depths = endDepths(line.line, view, kEdgeSkinShare * modelM + withinM);
   } else {
-    const auto depths = [&](const Segment& world, double nearerM) { return endDepths(world, view, kScopeSkinShare * modelM + nearerM); };
-    drawn.extensionDepths = {depths(line.base, withinM), depths(line.foot, withinM), depths(line.line, 0.0)};
+    const auto depthsOf = [&](const Segment& world, double nearerM) { return endDepths(world, view, kScopeSkinShare * modelM + nearerM); };
+    const EndDepths base = depthsOf(line.base, withinM), foot = depthsOf(line.foot, withinM), at = depthsOf(line.line, 0.0);
+    const bool bends = bendsAtPlane(line);
+    drawn.extensionDepths = {pointDepths(line.extensionStart, base.x, foot.x, at.x, bends), pointDepths(line.extensionEnd, base.y, foot.y, at.y, bends)};
   }
   drawn.sphereEnds = line.look.skin == HandleSkin::kSphere;
   drawn.color = colorOf(line.look);

@@ -11,8 +11,8 @@ using namespace dimline::test;
 
 namespace {
 
-const Box2 kViewport{{0, 0}, {1000, 1000}};
-const Vec2 kText{48, 16};
+const Box2 kPicture{{0, 0}, {1000, 1000}};
+const Vec2 kNumberSize{48, 16};
 /// px. Where the lines are; the model is above them.
 constexpr double kLineY = 500;
 constexpr double kModelY = 460;
@@ -40,7 +40,7 @@ struct Row {
   void land() {
     for (const PlacedLine& line : lines) landed.add(line, 0);
   }
-  void tidy() { tidying.tidy(lines, kText, model, kViewport, landed); }
+  void tidy() { tidying.tidy(lines, kNumberSize, model, kPicture, landed); }
   /// Which lines have a number.
   [[nodiscard]] std::vector<std::size_t> numbered() const {
     std::vector<std::size_t> which;
@@ -64,7 +64,7 @@ using Numbered = std::vector<std::size_t>;
 
 TEST_CASE("a label rides on its line when what was in its way has gone, and what has landed knows of it") {
   Row row(300, {200});
-  row.lines[0].label = Box2::around({540, kLineY}, kText);
+  row.lines[0].label = Box2::around({540, kLineY}, kNumberSize);
   row.lines[0].labelPlace.side = LabelPlace::Side::kBeyondEnd;
   row.land();
   row.tidy();
@@ -148,7 +148,7 @@ TEST_CASE("where no even step has room, numbers stand where they would by themse
 
 TEST_CASE("where no label has room those that are there stay") {
   Row row(300, {35, 35, 35});
-  row.lines[1].label = Box2::around({352, kLineY + 16}, kText);
+  row.lines[1].label = Box2::around({352, kLineY + 16}, kNumberSize);
   row.landed.addLabel({{0, 0}, {1000, 1000}});
   row.land();
   row.tidy();

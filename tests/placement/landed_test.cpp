@@ -4,6 +4,8 @@
 
 #include <array>
 
+#include "placement/jogs.h"
+
 using namespace dimline;
 
 namespace {
@@ -193,6 +195,79 @@ TEST_CASE("a tangle counts the lines across extension lines, this one and those 
   second.lineScreen = {{100, 20}, {200, 20}};
   landed.add(second, -1);
   CHECK(tangle(landed, overlapping, {{150, 0}, {300, 0}}).lines == 2);   // its extension line runs across both
+}
+
+TEST_CASE("an extension line gets past the end of one line by a jog, but not past its neighbour, another line or a label") {
+  // From x = 105 an extension line runs up to y = -100, and a line that has landed ends 5 px beyond it at y = 20.
+  const Segment2 base{{105, 140}, {400, 140}}, line{{105, -100}, {400, -100}};
+  const auto lineTo = [](const Segment2& s, int parameter) {
+    PlacedLine placed;
+    placed.parameter = static_cast<std::size_t>(parameter);
+    placed.lineScreen = placed.baseScreen = s;
+    return placed;
+  };
+  Landed landed;
+  landed.add(lineTo({{10, 20}, {110, 20}}, 5), -1);
+  const auto jogs = [&](const Landed& among) { return among.jogOf({base.start, line.start}).has_value(); };
+  REQUIRE(jogs(landed));
+  CHECK(landed.jogOf({base.start, line.start}) == jogPastEnd({{10, 20}, {110, 20}}, {base.start, line.start}));
+  CHECK(tangle(landed, base, line).lines == 0);
+  CHECK_FALSE(landed.jogOf({base.end, line.end}));   // which runs across nothing
+  CHECK(landed.crossesExtension(line) == false);
+  CHECK_FALSE(landed.crossings(base, base, line).extensions);
+  CHECK(landed.crossings(base, base, line).lines);   // a place where nothing need bend is a little better
+
+  // The parts before the plane have no jog.
+  CHECK(landed.tangle(line, extensionParts(base, {line.start, base.end}, line)).lines == 1);
+
+  Landed chain = landed;
+  chain.add(lineTo({{110, 20}, {180, 20}}, 5), -1);
+  CHECK_FALSE(jogs(chain));
+  CHECK(tangle(chain, base, line).lines == 1);
+  Landed another = landed;
+  another.add(lineTo({{106, 50}, {180, 50}}, 6), -1);
+  CHECK_FALSE(jogs(another));
+  CHECK(tangle(another, base, line).lines == 1);
+  Landed labelled = landed;
+  labelled.addLabel({{106, 60}, {150, 76}});
+  CHECK_FALSE(jogs(labelled));
+  labelled.removeLabel({{106, 60}, {150, 76}});
+  labelled.addLabel({{90, 60}, {150, 76}});   // which it runs through in any case
+  CHECK(jogs(labelled));
+}
+
+TEST_CASE("only a line's extension line has a jog for one that comes later, no arc's leg, no thread and no line in hand") {
+  const Segment2 base{{100, 300}, {400, 300}}, line{{100, 50}, {400, 50}};
+  const Segment2 later{{10, 170}, {104, 170}};   // 4 px over what runs up at x = 100
+  PlacedLine placed;
+  placed.baseScreen = base;
+  placed.lineScreen = line;
+  placed.extensionStart = {base.start, line.start};
+  placed.extensionEnd = {base.end, line.end};
+  Landed landed;
+  landed.add(placed, -1);
+  CHECK(landed.tangle(later, {}).lines == 0);
+  placed.extensionStart = {base.start, {100, 100}, line.start};
+  Landed bent;
+  bent.add(placed, -1);
+  CHECK(bent.tangle(later, {}).lines == 1);
+  Landed ahead;
+  ahead.add(base, base, line);
+  CHECK(ahead.tangle(later, {}).lines == 0);
+  Landed bentAhead;
+  bentAhead.add(base, {{100, 100}, {400, 100}}, line);
+  CHECK(bentAhead.tangle(later, {}).lines == 1);
+
+  placed.lineScreen = {base.start, line.start};
+  Landed inHand;
+  inHand.reserve(placed);
+  CHECK(inHand.tangle(later, {}).lines == 1);
+  PlacedHandle pill;
+  pill.anchor = {100, 300};
+  pill.box = {{80, 30}, {120, 50}};
+  Landed thread;
+  thread.add(pill, View(Camera{}, 500, 500, Bounds{}));
+  CHECK(thread.tangle(later, {}).lines == 1);
 }
 
 TEST_CASE("of a chain, all members' extension lines count") {

@@ -398,55 +398,6 @@ TEST_CASE("a line that another would have to run into gives way, in the first pi
   }
 }
 
-TEST_CASE("a line that an extension line just touches moves out of its way little by little, and stays there before a still camera") {
-  // The rail leans to the right, and so do its extension lines: the left one runs across the sill's line near its end, and past it a little further up.
-  ModelDefinition definition;
-  definition.name = "wall";
-  definition.title = "Wall";
-  for (const char* name : {"Sill", "Rail"}) {
-    definition.parameters.push_back({.name = name, .title = name, .unit = Unit::kMetre, .defaultValue = 2, .min = 0.5, .max = 5, .step = 0.1,
-                                     .annotation = std::string("@Handle(scope=") + name + ", type=linear-center, orient=right, slip=scope, align=top)"});
-  }
-  definition.parameters[1].defaultValue = 3;
-  constexpr double kLeanRad = 0.35;
-  definition.build = [](const Values& v) {
-    Scene scene = sceneOf({{"Wall", boxAt({-5, 0, -1}, {10, 16, 1})}, {"Sill", boxAt({-1, 15.79, 0}, {v.at(0), 0.02, 0.02})}});
-    Obb rail = boxAt({0.65, 15.8, 0}, {v.at(1), 0.02, 0.02});
-    rail.axes[0] = {std::cos(kLeanRad), -std::sin(kLeanRad), 0};
-    rail.axes[1] = {std::sin(kLeanRad), std::cos(kLeanRad), 0};
-    scene.scopes.push_back({"Rail", 0, rail});
-    return scene;
-  };
-  Stage stage(std::move(definition));
-  const auto sillPx = [&] { return 100 - stage.find("Sill")->lineScreen.start.y; };   // above the wall
-  const auto tangled = [&] {
-    const Segment2 extension{stage.find("Rail")->extensionStart.front(), stage.find("Rail")->extensionStart.back()};
-    return segmentsCross(stage.find("Sill")->lineScreen, extension, kCrossingPx);
-  };
-  // The rail comes into sight later: in a first picture the sill would stand clear of it already.
-  ScopeVisibility visibility;
-  visibility.seenShare = {1.0F, 1.0F, 0.0F};
-  stage.look(straightAt(8), 1000, 1000, &visibility);
-  REQUIRE(stage.find("Sill") != nullptr);
-  REQUIRE(stage.find("Rail") == nullptr);
-  visibility.seenShare.back() = 1.0F;
-  stage.look(straightAt(8 - 1e-4), 1000, 1000, &visibility);
-  REQUIRE(stage.find("Rail") != nullptr);
-  REQUIRE(tangled());
-  double lastPx = sillPx();
-  CHECK(lastPx == Approx(kHandleSpacingPx).margin(1));
-  for (int frame = 1; frame <= 10; ++frame) {
-    stage.look(straightAt(8 + 1e-4 * frame));
-    CHECK(std::abs(sillPx() - lastPx) < kClearPx + 1);
-    lastPx = sillPx();
-  }
-  CHECK_FALSE(tangled());
-  CHECK(lastPx > kHandleSpacingPx + 2);
-  CHECK(lastPx < kHandleSpacingPx * kMostClearedRatio + 10);   // the sill lies 10 px below the top
-  stage.look(straightAt(8 + 1e-3));
-  CHECK(sillPx() == lastPx);
-}
-
 TEST_CASE("a line that was hidden is not shown for a feature that is about to go out of sight") {
   // Round the box from its right side on: the door's width points at the viewer at 90 degrees, and can be read again from 101 on.
   const auto framesShown = [](double lastSeenDeg) {
