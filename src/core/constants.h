@@ -133,7 +133,7 @@ inline constexpr double kScoreChange = -24.0 * kHandleSpacingPx;
 /// hand lets go. More: they rest where the movement left them, far out and along faces that have turned away.
 inline constexpr double kScoreChangeSettling = -2.0 * kHandleSpacingPx;
 inline constexpr double kChangesOfLeap = 3.5;
-inline constexpr double kChangesOfReturn = 8.0;
+inline constexpr double kChangesOfReturn = 16.0;
 /// The price of a change, as a share, where it leaves no line at all that runs across another's extension line, since a picture without is read at a glance. Less: more such pictures, and more changes. For the last
 /// of them alone: at a low price for all, lines change places without end where they are so crowded that some stay in each other's way.
 inline constexpr double kChangeShareToUntangle = 0.4;

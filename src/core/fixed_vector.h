@@ -12,8 +12,6 @@ namespace dimline {
 template <typename T, std::size_t N>
 class FixedVector {
  public:
-  static constexpr std::size_t kCapacity = N;
-
   FixedVector() = default;
   FixedVector(std::initializer_list<T> items) {
     for (const T& item : items) push_back(item);

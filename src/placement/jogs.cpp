@@ -23,6 +23,17 @@ std::optional<Vec2> jogPastEnd(const Segment2& line, const Segment2& lastPart) {
   return lastPart.start + along * alongPx + across * jogPx;
 }
 
+std::optional<Vec2> jogPast(const Segment2& line, const Segment2& lastPart, const Landed& landed) {
+  const auto jog = jogPastEnd(line, lastPart);
+  if (!jog) return std::nullopt;
+  const auto isClear = [&](const Segment2& part) { return !landed.crossesLine(part) && (!landed.coversLabel(part) || landed.coversLabel(lastPart)); };
+  if (!isClear({lastPart.start, *jog}) || !isClear({*jog, lastPart.end})) return std::nullopt;
+  // Where another line begins at this one's end, as in a row, the jog lies on that, and crosses neither.
+  const Vec2 onward = glm::normalize(line.end - line.start) * (glm::length(line.start - *jog) < glm::length(line.end - *jog) ? -1.0 : 1.0);
+  const Vec2 beyond = *jog + onward * kSameLinePx;
+  return landed.comesWithin(kSameLinePx, {beyond, beyond}) ? std::nullopt : jog;
+}
+
 bool bendsAtPlane(const PlacedLine& line) { return line.foot.start != line.base.start || line.foot.end != line.base.end; }
 
 void straighten(PlacedLine& line) {

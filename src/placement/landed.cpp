@@ -151,22 +151,12 @@ bool Landed::isUnderAny(const Segment2& part, bool isLast) const {
 }
 
 bool Landed::runsAcross(const Segment2& line, const Segment2& part, bool isLast) const {
-  return segmentsCross(line, part, kCrossingPx) && !(isLast && jogPast(line, part));
-}
-
-std::optional<Vec2> Landed::jogPast(const Segment2& line, const Segment2& lastPart) const {
-  const auto jog = jogPastEnd(line, lastPart);
-  if (!jog) return std::nullopt;
-  const Across first = across({lastPart.start, *jog}), second = across({*jog, lastPart.end});
-  if (first.lines + second.lines > 0 || first.labels + second.labels > across(lastPart).labels) return std::nullopt;
-  // Where the line's neighbour begins at its end the jog would lie on that.
-  const auto inTheWay = [&](const Line& l) { return !same(l.segment, line) && distanceBetween(*jog, l.segment) < kSameLinePx; };
-  return std::ranges::none_of(lines_, inTheWay) ? jog : std::nullopt;
+  return segmentsCross(line, part, kCrossingPx) && !(isLast && jogPast(line, part, *this));
 }
 
 std::optional<Vec2> Landed::jogOf(const Segment2& lastPart) const {
   const auto crossed = std::ranges::find_if(lines_, [&](const Line& l) { return segmentsCross(l.segment, lastPart, kCrossingPx); });
-  return crossed == lines_.end() ? std::nullopt : jogPast(crossed->segment, lastPart);
+  return crossed == lines_.end() ? std::nullopt : jogPast(crossed->segment, lastPart, *this);
 }
 
 Landed::Crossings Landed::extensionCrossings(std::span<const Segment2> extensions) const {

@@ -83,8 +83,7 @@ class Landed {
   };
   /// `line`: a line, or a chain from its one end to the other. `extensions`: its extension lines in parts, or those of all its members.
   [[nodiscard]] Tangle tangle(const Segment2& line, std::span<const Segment2> extensions) const;
-  /// Where the last part of an extension line bends to get past the end of a line that has landed and that it runs across, and across no other for that, nor through more labels (jogs.h). Nothing where it
-  /// runs across none, or cannot get past.
+  /// Where the last part of an extension line bends to get past the line that has landed across which it runs (jogs.h). Nothing where there is none, or it cannot get past.
   [[nodiscard]] std::optional<Vec2> jogOf(const Segment2& lastPart) const;
   /// Whether one of these, which are the extension lines of one or more lines in parts, runs across a line that has landed, or through a label.
   [[nodiscard]] Crossings extensionCrossings(std::span<const Segment2> extensions) const;
@@ -96,7 +95,9 @@ class Landed {
   /// Whether a line comes nearer than `px` to one that has landed.
   [[nodiscard]] bool comesWithin(double px, const Segment2& line) const;
 
-  /// Whether a segment crosses an extension line that has landed.
+  /// Whether a segment crosses a line that has landed.
+  [[nodiscard]] bool crossesLine(const Segment2& segment) const;
+  /// Whether it crosses an extension line that has landed.
   [[nodiscard]] bool crossesExtension(const Segment2& segment) const;
   /// Whether it lies on one, so that the two look like one line.
   [[nodiscard]] bool runsAlongExtension(const Segment2& segment) const;
@@ -132,10 +133,8 @@ class Landed {
     int parameter = -1;
     double lengthM = 0;   ///< of its base line
   };
-  [[nodiscard]] bool crossesLine(const Segment2& segment) const;
   // Of a line and a part of an extension line either may be one that has not landed; the last part has a jog where it can get past.
   [[nodiscard]] bool runsAcross(const Segment2& line, const Segment2& part, bool isLast) const;
-  [[nodiscard]] std::optional<Vec2> jogPast(const Segment2& line, const Segment2& lastPart) const;
   /// An extension line across which a line runs; null for none.
   [[nodiscard]] const Extension* findUnder(const Segment2& line) const;
   /// Whether any line that has landed runs across a part of an extension line.

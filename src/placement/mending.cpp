@@ -73,8 +73,7 @@ std::optional<Attempt> Mending::next(const Outcome& outcome, bool shortestFirst)
   }
   const FrameKind& frame = outcome.frame;
   const int most = frame.settles ? kShufflesSettling : frame.isFirst ? kShufflesAtFirst : kShuffles;
-  const bool amiss = !outcome.tangled.empty() || outcome.returns > 0;
-  if (shuffles_ == most || outcome.outside.size() < 2 || !(amiss || frame.settles)) return std::nullopt;
+  if (shuffles_ == most || outcome.outside.size() < 2 || (outcome.tangled.empty() && !frame.settles)) return std::nullopt;
   ++shuffles_;
   return shuffle(outcome);
 }
@@ -115,19 +114,10 @@ std::optional<Attempt> Mending::nextOrder(const Outcome& outcome, bool shortestF
   return Attempt{.puts = {{{.rank = later, .before = earlier}}}, .putCount = 1};
 }
 
-/// Two lines in a tangle, or who went back to what it had left lately and any other; any two where there are none.
-Outcome::Tangled Mending::anyAmiss(const Outcome& outcome) {
-  const std::size_t ranks = outcome.outside.size(), tangles = outcome.tangled.size();
-  const std::size_t count = tangles + (outcome.returns > 0 ? 1 : 0);
-  if (count == 0) return anyTwo(ranks);
-  if (const std::size_t i = anyOf(count); i < tangles) return outcome.tangled[i];
-  return {(outcome.returned + 1 + anyOf(ranks - 1)) % ranks, outcome.returned};
-}
-
-/// Mostly another order, and mostly someone who looks for another place, both rather of lines that are in a tangle, or went back.
+/// Mostly another order, and mostly someone who looks for another place, both rather of lines that are in a tangle.
 Attempt Mending::shuffle(const Outcome& outcome) {
   const std::size_t ranks = outcome.outside.size();
-  const auto [earlier, later] = anyAmiss(outcome);
+  const auto [earlier, later] = outcome.tangled.empty() ? anyTwo(ranks) : outcome.tangled[anyOf(outcome.tangled.size())];
   Attempt attempt{.shortestFirst = anyOf(4) == 0};
   attempt.putCount = anyOf(kMostPuts + 1);
   attempt.puts[0] = {.rank = later, .before = earlier};

@@ -109,10 +109,23 @@ Pieces piecesOf(const OverlayLine& line) {
   return pieces;
 }
 
+/// Window depths at the points of an extension line: where it begins, where it bends at the plane or has a jog, and where it ends.
+using PointDepths = std::array<float, 4>;
+
+/// As told for ExtensionDepths; along what is straight on screen depth grows evenly.
+PointDepths pointDepths(std::span<const Vec2> polyline, float base, std::optional<float> foot, float line) {
+  PointDepths depths{base, line, line, line};
+  const std::size_t jog = foot && polyline.size() > 2 ? 2 : 1;
+  if (jog == 2) depths[1] = *foot;
+  if (polyline.size() != jog + 2) return depths;
+  const double before = glm::length(polyline[jog] - polyline[jog - 1]), after = glm::length(polyline[jog + 1] - polyline[jog]);
+  depths[jog] = glm::mix(depths[jog - 1], line, static_cast<float>(before / (before + after)));
+  return depths;
+}
+
 /// Runs emit(segment, depths of its ends) over an extension line: it stands off the base line's end and runs on past the final line.
 template <typename Emit>
 void eachExtensionPiece(std::span<const Vec2> polyline, const PointDepths& depths, Emit emit) {
-  const auto depthAt = [&](std::size_t point) { return point < depths.size() ? depths[point] : 0.0F; };
   double length = 0;
   for (std::size_t i = 1; i < polyline.size(); ++i) length += glm::length(polyline[i] - polyline[i - 1]);
   if (!(length > kExtensionGapPx) || !std::isfinite(length)) return;
@@ -126,7 +139,7 @@ void eachExtensionPiece(std::span<const Vec2> polyline, const PointDepths& depth
     }
     const Vec2 direction = (piece.end - piece.start) / pieceLength;
     piece.start += direction * skip;
-    const EndDepths ends(glm::mix(depthAt(i - 1), depthAt(i), static_cast<float>(skip / pieceLength)), depthAt(i));
+    const EndDepths ends(glm::mix(depths[i - 1], depths[i], static_cast<float>(skip / pieceLength)), depths[i]);
     skip = 0;
     if (i + 1 == polyline.size()) piece.end += direction * kExtensionOvershootPx;
     emit(piece, ends);
@@ -280,8 +293,9 @@ void addExtensions(const OverlayLine& line, bool halos, const Theme& theme, Shap
   const ExtensionDepths depths = line.extensionDepths.value_or(ExtensionDepths{});
   const float share = line.extensionDepths && !line.hovered && !line.active ? kExtensionHiddenShare : 1.0F;
   const auto add = [&](const Segment2& piece, const EndDepths& ends) { addHair(piece, line.opacity, {ends, share}, halos, theme, list); };
-  eachExtensionPiece(line.extensionStart, depths.start, add);
-  eachExtensionPiece(line.extensionEnd, depths.end, add);
+  const auto& [base, foot, at] = depths;
+  eachExtensionPiece(line.extensionStart, pointDepths(line.extensionStart, base.x, foot ? std::optional(foot->x) : std::nullopt, at.x), add);
+  eachExtensionPiece(line.extensionEnd, pointDepths(line.extensionEnd, base.y, foot ? std::optional(foot->y) : std::nullopt, at.y), add);
 }
 
 /// The thin lines that tie what is outside to the model, or their halos.

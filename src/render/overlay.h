@@ -9,7 +9,6 @@
 
 #include "editing/drag_marks.h"
 #include "math/geometry.h"
-#include "placement/layout.h"
 #include "render/theme.h"
 
 namespace dimline {
@@ -17,12 +16,11 @@ namespace dimline {
 /// Window depths (View::windowDepth) of the two ends of something straight: the model hides what lies behind it.
 using EndDepths = glm::vec2;
 
-/// Those at the points of an extension line, as many as it has.
-using PointDepths = FixedVector<float, ExtensionLine::kCapacity>;
-
-/// Those of a line's extension lines.
+/// Those of a line's extension lines: where they begin, where they bend at the plane, if they do, and where they end. A jog lies between the last two, as deep as what is straight would be there.
 struct ExtensionDepths {
-  PointDepths start, end;
+  EndDepths base{0.0F};
+  std::optional<EndDepths> foot;
+  EndDepths line{0.0F};
 };
 
 /// One dimension line as it is to be drawn, on screen (CSS px). Plain data: placement and animation are decided elsewhere.
@@ -34,7 +32,7 @@ struct ExtensionDepths {
 ///        o===========o         base line
 struct OverlayLine {
   Segment2 line;                            ///< from arrow tip to arrow tip
-  std::span<const Vec2> extensionStart;     ///< a polyline to line.start, base end first; empty for none. Must outlive the call it is given to.
+  std::span<const Vec2> extensionStart;     ///< a polyline of at most four points to line.start, base end first; empty for none. Must outlive the call it is given to.
   std::span<const Vec2> extensionEnd;       ///< to line.end
   std::optional<Box2> label;                ///< the line is interrupted around it
   bool startDraggable = false;

@@ -29,23 +29,6 @@ double withinScopeM(const PlacedLine& line, const Scene& scene, const View& view
   return edge ? 0.0 : reachOf(scene.scopes[line.scope].box, view.directionTo(line.base.middle()));
 }
 
-/// At the points of an extension line, of which those in the world are known: the base line's end, its foot on the plane and the final line's end. Along what is straight on screen depth grows evenly.
-PointDepths pointDepths(const ExtensionLine& points, float base, float foot, float line, bool bendsAtPlane) {
-  PointDepths depths;
-  if (points.empty()) return depths;
-  depths.push_back(base);
-  const std::size_t straight = bendsAtPlane ? 3 : 2;
-  if (bendsAtPlane && points.size() >= straight) depths.push_back(foot);
-  if (points.size() > straight) {   // a jog
-    const std::size_t jog = points.size() - 2;
-    const double before = glm::length(points[jog] - points[jog - 1]);
-    const double after = glm::length(points[jog + 1] - points[jog]);
-    depths.push_back(glm::mix(depths.back(), line, static_cast<float>(before / (before + after))));
-  }
-  depths.push_back(line);
-  return depths;
-}
-
 }  // namespace
 
 EndDepths endDepths(const Segment& world, const View& view, double nearerM) {
@@ -71,9 +54,8 @@ OverlayLine overlayLine(const PlacedLine& line, const Scene& scene, const View& 
     drawn.depths = endDepths(line.line, view, kEdgeSkinShare * modelM + withinM);
   } else {
     const auto depthsOf = [&](const Segment& world, double nearerM) { return endDepths(world, view, kScopeSkinShare * modelM + nearerM); };
-    const EndDepths base = depthsOf(line.base, withinM), foot = depthsOf(line.foot, withinM), at = depthsOf(line.line, 0.0);
-    const bool bends = bendsAtPlane(line);
-    drawn.extensionDepths = {pointDepths(line.extensionStart, base.x, foot.x, at.x, bends), pointDepths(line.extensionEnd, base.y, foot.y, at.y, bends)};
+    drawn.extensionDepths = {depthsOf(line.base, withinM), std::nullopt, depthsOf(line.line, 0.0)};
+    if (bendsAtPlane(line)) drawn.extensionDepths->foot = depthsOf(line.foot, withinM);
   }
   drawn.sphereEnds = line.look.skin == HandleSkin::kSphere;
   drawn.color = colorOf(line.look);

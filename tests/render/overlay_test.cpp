@@ -420,7 +420,7 @@ TEST_CASE("what the model hides of extension lines is faint, at the depth that t
   OverlayLine line = lineFrom({0, 0}, {200, 0});
   const std::vector<Vec2> bent{{0, 100}, {0, 60}, {0, 0}};
   line.extensionStart = bent;
-  line.extensionDepths = {{0.5F, 0.6F, 0.2F}, {0.1F, 0.1F}};
+  line.extensionDepths = {{0.5F, 0.1F}, EndDepths(0.6F, 0.1F), {0.2F, 0.1F}};
   for (const unsigned ink : {3U, 6U}) {
     std::vector<OverlayShape> pieces = withInk(build(line), ink);
     std::erase_if(pieces, [](const OverlayShape& shape) { return shape.kind != Kind::kStroke || shape.startPx.x > 1.0F || shape.endPx.x > 1.0F; });
@@ -433,6 +433,24 @@ TEST_CASE("what the model hides of extension lines is faint, at the depth that t
   }
   line.active = true;
   for (const OverlayShape& shape : build(line)) CHECK(shape.hiddenShare == 1.0F);
+}
+
+TEST_CASE("a jog of an extension line is as deep as the line would be there without it") {
+  OverlayLine line = lineFrom({0, 0}, {200, 0});
+  const auto jogDepth = [&](const std::vector<Vec2>& polyline) {
+    line.extensionStart = polyline;
+    std::vector<OverlayShape> pieces = withInk(build(line), 3U);
+    std::erase_if(pieces, [](const OverlayShape& shape) { return shape.kind != Kind::kStroke || shape.startPx.x > 9.0F; });
+    REQUIRE(pieces.size() == polyline.size() - 1);
+    CHECK(pieces.back().depths.x == pieces[pieces.size() - 2].depths.y);
+    CHECK(pieces.back().depths.y == Approx(0.2));
+    return pieces.back().depths.x;
+  };
+  // The jog is a quarter of the way from the line's end to the base line, or to the bend at the plane.
+  line.extensionDepths = {EndDepths(0.6F), std::nullopt, EndDepths(0.2F)};
+  CHECK(jogDepth({{0, 100}, {5, 25}, {0, 0}}) == Approx(0.3).margin(0.005));
+  line.extensionDepths = {EndDepths(0.7F), EndDepths(0.6F), EndDepths(0.2F)};
+  CHECK(jogDepth({{0, 140}, {0, 100}, {5, 25}, {0, 0}}) == Approx(0.3).margin(0.005));
 }
 
 TEST_CASE("an extension line that two lines share is as clear as the clearer of them") {
@@ -500,46 +518,13 @@ TEST_CASE("inside the model a line can be hidden, but not by its own scope unles
   placed.placement = PlacementKind::kOutside;
   placed.foot = {{-4, 0, -4}, {4, 0, -4}};
   placed.line = {{-4, -3, -4}, {4, -3, -4}};
-  placed.extensionStart = {view.toScreen(placed.base.start), view.toScreen(placed.foot.start), view.toScreen(placed.line.start)};
   const OverlayLine outside = overlayLine(placed, scene, view);
   CHECK_FALSE(outside.depths);
   REQUIRE(outside.extensionDepths);
-  const PointDepths& depths = outside.extensionDepths->start;
-  REQUIRE(depths.size() == 3);
-  CHECK(static_cast<double>(depths[0]) > frontFace);
-  CHECK(depths[0] < depths[1]);
-  CHECK(depths[1] == Approx(depths[2]).margin(1e-3));
-}
-
-TEST_CASE("a jog of an extension line is as deep as the line would be there without it") {
-  const Scene scene = sceneOf({{"Box", boxAt({-4, 0, -3}, {8, 5, 6})}});
-  Camera camera;
-  camera.eye = {0, 2.5, 30};
-  camera.target = {0, 2.5, 0};
-  const View view(camera, 400, 400, scene.bounds);
-  PlacedLine placed;
-  placed.placement = PlacementKind::kOutside;
-  placed.base = placed.foot = {{-4, 0, -3}, {4, 0, -3}};
-  placed.line = {{-4, 0, 3}, {4, 0, 3}};
-  const Vec3 beside(-4, 0, 1);
-  const auto depthsWith = [&](const Vec3& foot) {
-    placed.foot.start = foot;
-    const Vec2 last = view.toScreen(placed.line.start);
-    placed.extensionStart = {view.toScreen(placed.base.start)};
-    if (foot != placed.base.start) placed.extensionStart.push_back(view.toScreen(foot));
-    placed.extensionStart.push_back(view.toScreen(beside) + Vec2(0, 0.1));
-    placed.extensionStart.push_back(last);
-    const OverlayLine drawn = overlayLine(placed, scene, view);
-    REQUIRE(drawn.extensionDepths);
-    return drawn.extensionDepths->start;
-  };
-  const auto there = Approx(endDepths({beside, beside}, view, kScopeSkinShare * scene.bounds.diagonal()).x).margin(1e-3);
-  const PointDepths straight = depthsWith(placed.base.start);
-  REQUIRE(straight.size() == 3);
-  CHECK(straight[1] == there);
-  const PointDepths bent = depthsWith({-4, 0, -2});
-  REQUIRE(bent.size() == 4);
-  CHECK(bent[1] < bent[0]);
-  CHECK(bent[2] == there);
-  CHECK(bent[3] < bent[2]);
+  REQUIRE(outside.extensionDepths->foot);
+  CHECK(static_cast<double>(outside.extensionDepths->base.x) > frontFace);
+  CHECK(outside.extensionDepths->base.x < outside.extensionDepths->foot->x);
+  CHECK(outside.extensionDepths->foot->x == Approx(outside.extensionDepths->line.x).margin(1e-3));
+  placed.foot = placed.base;
+  CHECK_FALSE(overlayLine(placed, scene, view).extensionDepths->foot);   // nothing bends there
 }
