@@ -114,16 +114,19 @@ void Landed::add(const PlacedHandle& handle, const View& view) {
 
 Landed::Crossings Landed::crossings(const Segment2& base, const Segment2& foot, const Segment2& line) const {
   Crossings found;
-  const auto add = [&](const Segment2& part, bool runsAcross) {
-    found.extensions = found.extensions || runsAcross;
-    found.lines = found.lines || runsAcross || crossesLine(part) || crossesExtension(part);
+  // Jogs are looked for only where something crosses, which is seldom.
+  const auto add = [&](const Segment2& part, bool isLine, bool isLast) {
+    const bool overLine = crossesLine(part);
+    const bool overExtension = crossesExtension(part);
+    found.lines = found.lines || overLine || overExtension;
+    found.extensions = found.extensions || (isLine ? overExtension && findUnder(part) != nullptr : overLine && isUnderAny(part, isLast));
     found.labels = found.labels || coversLabel(part);
   };
-  add(line, findUnder(line) != nullptr);
+  add(line, true, false);
   const auto parts = extensionParts(base, foot, line);
   for (std::size_t i = 0; i < parts.size(); ++i) {
     if (parts[i].start == parts[i].end || (i > 0 && same(parts[i], parts[i - 1]))) continue;
-    add(parts[i], isUnderAny(parts[i], isLastPart(i)));
+    add(parts[i], false, isLastPart(i));
   }
   return found;
 }

@@ -133,7 +133,7 @@ class Landed {
     int parameter = -1;
     double lengthM = 0;   ///< of its base line
   };
-  // Of a line and a part of an extension line either may be one that has not landed; the last part has a jog where it can get past.
+  /// Whether a line runs across a part of an extension line, and that, if it is the last one, has no jog past it. Neither of the two need have landed.
   [[nodiscard]] bool runsAcross(const Segment2& line, const Segment2& part, bool isLast) const;
   /// An extension line across which a line runs; null for none.
   [[nodiscard]] const Extension* findUnder(const Segment2& line) const;

@@ -112,11 +112,12 @@ Pieces piecesOf(const OverlayLine& line) {
 /// Window depths at the points of an extension line: where it begins, where it bends at the plane or has a jog, and where it ends.
 using PointDepths = std::array<float, 4>;
 
-/// As told for ExtensionDepths; along what is straight on screen depth grows evenly.
-PointDepths pointDepths(std::span<const Vec2> polyline, float base, std::optional<float> foot, float line) {
-  PointDepths depths{base, line, line, line};
-  const std::size_t jog = foot && polyline.size() > 2 ? 2 : 1;
-  if (jog == 2) depths[1] = *foot;
+/// Of the extension line at one end of the line, 0 or 1, as told for ExtensionDepths; along what is straight on screen depth grows evenly.
+PointDepths pointDepths(std::span<const Vec2> polyline, const ExtensionDepths& known, glm::length_t end) {
+  const float line = known.line[end];
+  PointDepths depths{known.base[end], line, line, line};
+  const std::size_t jog = known.foot && polyline.size() > 2 ? 2 : 1;
+  if (jog == 2) depths[1] = (*known.foot)[end];
   if (polyline.size() != jog + 2) return depths;
   const double before = glm::length(polyline[jog] - polyline[jog - 1]), after = glm::length(polyline[jog + 1] - polyline[jog]);
   depths[jog] = glm::mix(depths[jog - 1], line, static_cast<float>(before / (before + after)));
@@ -293,9 +294,8 @@ void addExtensions(const OverlayLine& line, bool halos, const Theme& theme, Shap
   const ExtensionDepths depths = line.extensionDepths.value_or(ExtensionDepths{});
   const float share = line.extensionDepths && !line.hovered && !line.active ? kExtensionHiddenShare : 1.0F;
   const auto add = [&](const Segment2& piece, const EndDepths& ends) { addHair(piece, line.opacity, {ends, share}, halos, theme, list); };
-  const auto& [base, foot, at] = depths;
-  eachExtensionPiece(line.extensionStart, pointDepths(line.extensionStart, base.x, foot ? std::optional(foot->x) : std::nullopt, at.x), add);
-  eachExtensionPiece(line.extensionEnd, pointDepths(line.extensionEnd, base.y, foot ? std::optional(foot->y) : std::nullopt, at.y), add);
+  eachExtensionPiece(line.extensionStart, pointDepths(line.extensionStart, depths, 0), add);
+  eachExtensionPiece(line.extensionEnd, pointDepths(line.extensionEnd, depths, 1), add);
 }
 
 /// The thin lines that tie what is outside to the model, or their halos.
