@@ -152,6 +152,15 @@ bool farBehind(const View& view, const Segment& line, const Segment& base) {
   return !view.camera().orthoHeightM && view.depth(line.middle()) > kMostDepthRatio * view.depth(base.middle());
 }
 
+/// Whether a line lies so far across the picture from its base line that nobody sees what it measures, which makes it
+/// no place.
+bool outOfReach(const View& view, const Segment2& line, const Segment2& base) {
+  const double reachPx = kMostReachShare * std::hypot(view.widthPx(), view.heightPx());
+  return std::ranges::any_of(std::array{line.start - base.start, line.end - base.end}, [&](const Vec2& way) {
+    return std::max(std::abs(way.x), std::abs(way.y)) > reachPx;
+  });
+}
+
 /// A length that every base line of a type that turns with the view has on screen: half the least size of the box.
 double radiusOnScreenPx(const View& view, const Obb& box) {
   return 0.5 * std::min({box.size.x, box.size.y, box.size.z}) / view.metresPerPixelAt(box.center());
@@ -162,11 +171,15 @@ std::optional<OutsidePlace> placeOnTheWay(const AuditedFrame& frame, const Obsta
                                           const Annotation& annotation, const Segment& base, const Vec3& direction,
                                           const Vec2& textSize) {
   const View& view = frame.layout->view;
+  const auto baseScreen = project(view, base);
+  if (!baseScreen) return std::nullopt;
   double offsetM = 0;
   for (int i = 0; i < kMostPlaces; ++i) {
     const Segment line = moved(base, direction * offsetM);
     const auto screen = project(view, line);
-    if (!screen || farBehind(view, line, base)) return std::nullopt;
+    if (!screen || farBehind(view, line, base) || outOfReach(view, *screen, *baseScreen)) {
+      return std::nullopt;
+    }
     if (screen->length() > leastLengthPx(annotation) && obstacles.haveRoomFor(*screen) &&
         obstacles.haveRoomForLabelOf(*screen, textSize) && frame.mask->outside(screen->middle())) {
       return OutsidePlace{*screen, frame.mask->seesAnEdge(*screen)};

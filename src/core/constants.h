@@ -50,6 +50,11 @@ inline constexpr double kArcShownAgainAngleRad = 0.32;
 /// and 34 m is drawn shorter than 19 m beside it. Smaller: more lines have no place but on the model.
 inline constexpr double kMostDepthRatio = 2.5;
 
+/// How far a line may lie from its base line along either side of the viewport, as a share of its diagonal; and one that is there already. Beyond the paper. Larger: near by the model, extension lines lead across the whole picture, and nobody
+/// sees what the line measures. Smaller: more lines have no place but on the model.
+inline constexpr double kMostReachShare = 0.4;
+inline constexpr double kMostReachShareToStay = 0.45;
+
 /// A line hidden as too short or foreshortened is shown again when it passes the threshold by this factor, so that it does not come and go at its edge.
 inline constexpr double kShowAgainFactor = 1.18;
 
@@ -321,8 +326,8 @@ inline constexpr double kEdgeSkinShare = 0.3 * kScopeSkinShare;
 inline constexpr double kPlentySeenShare = 0.003;
 
 /// Share of a scope's screen area that must be seen for it to be shown, and below which one that is shown is dropped again. Two
-/// thresholds, so that a scope at the edge of sight does not flicker. One that went out of sight within kReturnFrames moved frames must be seen by the
-/// third to be shown again: behind leaves the share leaps from frame to frame.
+/// thresholds, so that a scope at the edge of sight does not flicker. One that went out of sight within kReturnFrames moved frames must be seen by
+/// half to be shown again: behind leaves the share leaps from frame to frame.
 inline constexpr double kSeenShareToShow = 0.12;
 inline constexpr double kSeenShareToKeep = 0.06;
 inline constexpr double kSeenShareToShowAgain = 0.5;

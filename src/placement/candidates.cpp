@@ -66,24 +66,36 @@ Candidate unplaced(const UsableBaseLine& base, const SlipPlane& plane, int direc
   return candidate;
 }
 
-/// The greatest offset at which both ends may still lie in front of the near plane and within the viewport's margin; negative when there is none. Each
-/// side of the viewport bounds the offset by a linear inequality, since homogeneous pixels are linear in the world.
-double mostInViewM(const Candidate& candidate, const View& view) {
-  const Box2 box = view.viewport().grown(-kViewportMarginPx);
+/// How far (px) along either side of the viewport a line may lie from its base line: see kMostReachShare.
+double mostReachPx(const CandidateContext& context, const Candidate& candidate) {
+  const double diagonalPx = std::hypot(context.view.widthPx(), context.view.heightPx());
+  return diagonalPx * (candidate.identity == context.history.last() ? kMostReachShareToStay : kMostReachShare);
+}
+
+/// The greatest offset at which both ends may still lie in front of the near plane, within the viewport's margin, and within reach of the base line's ends; negative when there is none. Each
+/// side of a box on screen bounds the offset by a linear inequality, since homogeneous pixels are linear in the world.
+double mostInViewM(const CandidateContext& context, const Candidate& candidate) {
+  const View& view = context.view;
+  const Box2 inside = view.viewport().grown(-kViewportMarginPx);
+  const double reachPx = mostReachPx(context, candidate);
   const Vec3 perMetre = view.worldToPixels() * Vec4(candidate.outward, 0.0);
   double mostM = candidate.mostM;
   const auto bound = [&](double atFoot, double perM) {
     if (perM < 0) mostM = std::min(mostM, atFoot / -perM);
     if (perM == 0 && atFoot < 0) mostM = -1;
   };
-  for (const Vec3& end : {candidate.foot.start, candidate.foot.end}) {
-    const Vec3 h = view.worldToPixels() * Vec4(end, 1.0);
-    bound(h.x - box.min.x * h.z, perMetre.x - box.min.x * perMetre.z);
-    bound(box.max.x * h.z - h.x, box.max.x * perMetre.z - perMetre.x);
-    bound(h.y - box.min.y * h.z, perMetre.y - box.min.y * perMetre.z);
-    bound(box.max.y * h.z - h.y, box.max.y * perMetre.z - perMetre.y);
-    bound(view.depth(end) - view.nearM(), glm::dot(candidate.outward, view.forward()));
-  }
+  const auto boundEnd = [&](const Vec3& foot, const Vec2& base) {
+    const Vec3 h = view.worldToPixels() * Vec4(foot, 1.0);
+    const Vec2 low = glm::max(inside.min, base - reachPx), high = glm::min(inside.max, base + reachPx);
+    if (low.x > high.x || low.y > high.y) mostM = -1;
+    for (int axis = 0; axis < 2; ++axis) {
+      bound(h[axis] - low[axis] * h.z, perMetre[axis] - low[axis] * perMetre.z);
+      bound(high[axis] * h.z - h[axis], high[axis] * perMetre.z - perMetre[axis]);
+    }
+    bound(view.depth(foot) - view.nearM(), glm::dot(candidate.outward, view.forward()));
+  };
+  boundEnd(candidate.foot.start, candidate.baseScreen.start);
+  boundEnd(candidate.foot.end, candidate.baseScreen.end);
   return mostM * (1 - kRoundingShare);
 }
 
@@ -243,8 +255,9 @@ void gatherChainBaseLines(const Cluster& cluster, std::int32_t number, const Vie
 void gatherGuideCandidates(const CandidateContext& context, const UsableBaseLine& base, std::vector<Candidate>& candidates) {
   if (context.guides.size() == 0) return;
   const Vec3 along = glm::normalize(base.line.segment.end - base.line.segment.start);
-  forEachSlip(context, base, [&](const Candidate& slipping) {
+  forEachSlip(context, base, [&](Candidate& slipping) {
     if (context.history.leftLately(slipping.identity)) return;   // a guide comes before all other places (algorithm 1), so a price would not keep it from being gone back to
+    slipping.mostM = mostInViewM(context, slipping);
     for (std::size_t i = 0; i < context.guides.size(); ++i) {
       const Guide& guide = context.guides[i];
       if (!liesOn(guide, slipping.plane.plane, along, context.toleranceM)) continue;
@@ -264,16 +277,16 @@ void gatherGuideCandidates(const CandidateContext& context, const UsableBaseLine
 void gatherOutsideCandidates(const CandidateContext& context, const UsableBaseLine& base, std::vector<Candidate>& candidates) {
   forEachSlip(context, base, [&](Candidate& candidate) {
     const auto slide = Slide::make(context.view, candidate.foot, candidate.outward);
-    const double mostM = mostInViewM(candidate, context.view);
-    if (!slide || mostM < 0) return;
+    candidate.mostM = mostInViewM(context, candidate);
+    if (!slide || candidate.mostM < 0) return;
     // What clears at the least offset clears at every greater one, so a plane whose part begins further out is used from there.
-    double offsetM = std::max(leastClearingOffset(context.padded, *slide, mostM), leastRoomM(candidate));
-    if (offsetM > mostM) return;
+    double offsetM = std::max(leastClearingOffset(context.padded, *slide, candidate.mostM), leastRoomM(candidate));
+    if (offsetM > candidate.mostM) return;
     candidate.placement = PlacementKind::kOutside;
     candidate.leastM = offsetM;
     if (candidate.identity == context.history.last()) {
       const double stepM = context.viewMoved ? metresAt(candidate, kRelaxPx, context.view) : 0.0;
-      const double relaxedM = std::min(context.history.relaxedOffsetM(offsetM, stepM), mostM);
+      const double relaxedM = std::min(context.history.relaxedOffsetM(offsetM, stepM), candidate.mostM);
       if (relaxedM > offsetM && placeAt(candidate, *slide, relaxedM, context.view)) {
         candidate.hasSecondOffset = true;
         keep(context, base, candidate, *slide, candidates);

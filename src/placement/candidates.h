@@ -106,7 +106,7 @@ void gatherChainBaseLines(const Cluster& cluster, std::int32_t number, const Vie
 void gatherGuideCandidates(const CandidateContext& context, const UsableBaseLine& base, std::vector<Candidate>& candidates);
 
 /// Adds the candidates of a base line outside the silhouette, up to two a plane (paper 4.1): slid to the least offset that clears the padded fields,
-/// within the viewport's margin. The last frame's choice may have a second offset besides (Candidate::secondOffset).
+/// within the viewport's margin and, beyond the paper, within reach of the base line (kMostReachShare). The last frame's choice may have a second offset besides (Candidate::secondOffset).
 void gatherOutsideCandidates(const CandidateContext& context, const UsableBaseLine& base, std::vector<Candidate>& candidates);
 
 /// Adds the last frame's choice (`only`) on the carrier of a line that is in the hand, whatever is there.

@@ -1,5 +1,7 @@
 #include <catch2/catch.hpp>
 
+#include <cmath>
+
 #include "cli/audit_run.h"
 #include "cli/audit_stage.h"
 
@@ -260,6 +262,18 @@ TEST_CASE("audit: a line inside though an outside place exists") {
   SECTION("not when the author wants it there") {
     line.parameter = kD;
     CHECK(stage.figure(AuditRow::kNeedlesslyInside, true).judged == 0);
+  }
+  SECTION("not when that is across half the picture") {
+    stage.scene.scopes[0].box = boxAt({-1.9, -1, -1}, {0.2, 2, 1});  // its edges are at 10 and 30 px
+    const double reachPx = kMostReachShare * kStagePx * std::sqrt(2.0);
+    const auto coveredBelow = [&](double wayPx) {
+      stage.cover(0, 0, kStagePx, kStagePx, false);
+      stage.cover(0, 0, static_cast<int>(std::lround(30 + wayPx - kHandleSpacingPx)), kStagePx);
+      return stage.figure(AuditRow::kNeedlesslyInside, true);
+    };
+    CHECK(coveredBelow(reachPx - 4).offences == 1);
+    CHECK(coveredBelow(reachPx + 4).offences == 0);
+    CHECK(coveredBelow(reachPx + 4).judged == 1);
   }
 }
 

@@ -50,25 +50,30 @@ Candidate leadingAway(const View& view) {
   return candidate;
 }
 
-/// How far from the viewer the line lies on the plane that leads away from a base line 10 m off, when the model covers the picture from a row downwards; nothing when it has no place there.
-std::optional<double> depthAbove(int coveredFromPx, const Camera& camera) {
-  const View view(camera, 1000, 1000, Bounds{{-1, 0, -100}, {1, 0, 1}});
+/// The candidate of a base line on a plane, when the model covers the picture from a row downwards; nothing when there is none.
+std::optional<Candidate> outsideAbove(int coveredFromPx, const View& view, const Segment& segment, const ScopePlane& plane, const History& history = History(0)) {
   const DistanceFields model = fieldsCovering({{0, coveredFromPx}, {1000, 1000}});
   Surroundings around;
   around.occupied.begin(model);
   around.occupied.clear();
   UsableBaseLine base;
-  base.line.segment = {{-1, 0, 0}, {1, 0, 0}};
-  base.line.scopePlanes.push_back({.across = {0, 0, -1}, .normal = {0, 1, 0}});
-  base.screen = view.toScreen(base.line.segment);
+  base.line.segment = segment;
+  base.line.scopePlanes.push_back(plane);
+  base.screen = view.toScreen(segment);
   Annotation annotation;
   annotation.slip = Slip::kScope;
-  const History history(0);
   const Sight sight;
   std::vector<Candidate> candidates;
   gatherOutsideCandidates(around.context(annotation, view, history, {&sight, 1}), base, candidates);
   REQUIRE(candidates.size() <= 1);
-  return candidates.empty() ? std::nullopt : std::optional(view.depth(candidates.front().line.middle()));
+  return candidates.empty() ? std::nullopt : std::optional(candidates.front());
+}
+
+/// How far from the viewer the line lies on the plane that leads away from a base line 10 m off, when the model covers the picture from a row downwards; nothing when it lies nowhere.
+std::optional<double> depthAbove(int coveredFromPx, const Camera& camera) {
+  const View view(camera, 1000, 1000, Bounds{{-1, 0, -100}, {1, 0, 1}});
+  const auto candidate = outsideAbove(coveredFromPx, view, {{-1, 0, 0}, {1, 0, 0}}, {.across = {0, 0, -1}, .normal = {0, 1, 0}});
+  return candidate ? std::optional(view.depth(candidate->line.middle())) : std::nullopt;
 }
 
 /// 5 m above the ground, level: the base line of depthAbove() lies 250 px below the middle, and what is twice as far away 125 px.
@@ -125,6 +130,33 @@ TEST_CASE("a line lies no further behind its base line than perspective still sh
   orthographic.orthoHeightM = 40;
   REQUIRE(depthAbove(200, orthographic).has_value());
   CHECK(*depthAbove(200, orthographic) > 10 * kMostDepthRatio);
+}
+
+TEST_CASE("a line lies no further across the picture from its base line than within its reach") {
+  // 25 px a metre; the base line is 100 px above the picture's lower edge, at row 900.
+  Camera camera;
+  camera.eye = {0, 0, 10};
+  camera.orthoHeightM = 40;
+  const View view(camera, 1000, 1000, Bounds{{-1, -20, -1}, {1, 20, 1}});
+  const auto above = [&](double wayPx, const History& history = History(0)) {
+    const int coveredFromPx = static_cast<int>(std::lround(900 - wayPx + kHandleSpacingPx));
+    return outsideAbove(coveredFromPx, view, {{-1, -16, 0}, {1, -16, 0}}, {.across = {0, 1, 0}, .normal = {0, 0, 1}}, history);
+  };
+  const double diagonalPx = 1000 * std::sqrt(2.0);
+  const double reachPx = kMostReachShare * diagonalPx, stayPx = kMostReachShareToStay * diagonalPx;
+  const auto within = above(reachPx - 2);
+  REQUIRE(within.has_value());
+  CHECK(within->baseScreen.start.y - within->lineScreen.start.y == Approx(reachPx).margin(4));
+  CHECK_FALSE(above(reachPx + 2).has_value());
+  // It is not pushed beyond it either, for its label's sake.
+  Candidate pushed = *within;
+  CHECK_FALSE(pushOutward(pushed, 10, view));
+  // The one that is there may be a little further away.
+  History history(0);
+  history.choose(within->identity, within->offsetM);
+  CHECK(above(reachPx + 2, history).has_value());
+  CHECK(above(stayPx - 2, history).has_value());
+  CHECK_FALSE(above(stayPx + 2, history).has_value());
 }
 
 TEST_CASE("an edge that the model hides comes after others, and less so for the line that is there") {
