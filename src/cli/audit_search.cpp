@@ -155,7 +155,7 @@ bool farBehind(const View& view, const Segment& line, const Segment& base) {
 /// Whether a line lies so far across the picture from its base line that nobody sees what it measures, which makes it
 /// no place.
 bool outOfReach(const View& view, const Segment2& line, const Segment2& base) {
-  const double reachPx = kMostReachShare * std::hypot(view.widthPx(), view.heightPx());
+  const double reachPx = std::max(kMostReachShare * std::hypot(view.widthPx(), view.heightPx()), kLeastReachPx);
   return std::ranges::any_of(std::array{line.start - base.start, line.end - base.end}, [&](const Vec2& way) {
     return std::max(std::abs(way.x), std::abs(way.y)) > reachPx;
   });

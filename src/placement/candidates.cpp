@@ -69,7 +69,7 @@ Candidate unplaced(const UsableBaseLine& base, const SlipPlane& plane, int direc
 /// How far (px) along either side of the viewport a line may lie from its base line: see kMostReachShare.
 double mostReachPx(const CandidateContext& context, const Candidate& candidate) {
   const double diagonalPx = std::hypot(context.view.widthPx(), context.view.heightPx());
-  return diagonalPx * (candidate.identity == context.history.last() ? kMostReachShareToStay : kMostReachShare);
+  return std::max(diagonalPx * (candidate.identity == context.history.last() ? kMostReachShareToStay : kMostReachShare), kLeastReachPx);
 }
 
 /// The greatest offset at which both ends may still lie in front of the near plane, within the viewport's margin, and within reach of the base line's ends; negative when there is none. Each

@@ -263,9 +263,9 @@ TEST_CASE("audit: a line inside though an outside place exists") {
     line.parameter = kD;
     CHECK(stage.figure(AuditRow::kNeedlesslyInside, true).judged == 0);
   }
-  SECTION("not when that is across half the picture") {
+  SECTION("not when that is out of reach across the picture") {
     stage.scene.scopes[0].box = boxAt({-1.9, -1, -1}, {0.2, 2, 1});  // its edges are at 10 and 30 px
-    const double reachPx = kMostReachShare * kStagePx * std::sqrt(2.0);
+    const double reachPx = kLeastReachPx;  // the stage is small
     const auto coveredBelow = [&](double wayPx) {
       stage.cover(0, 0, kStagePx, kStagePx, false);
       stage.cover(0, 0, static_cast<int>(std::lround(30 + wayPx - kHandleSpacingPx)), kStagePx);

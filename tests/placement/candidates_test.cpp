@@ -52,7 +52,7 @@ Candidate leadingAway(const View& view) {
 
 /// The candidate of a base line on a plane, when the model covers the picture from a row downwards; nothing when there is none.
 std::optional<Candidate> outsideAbove(int coveredFromPx, const View& view, const Segment& segment, const ScopePlane& plane, const History& history = History(0)) {
-  const DistanceFields model = fieldsCovering({{0, coveredFromPx}, {1000, 1000}});
+  const DistanceFields model = fieldsCovering({{0, coveredFromPx}, {view.widthPx(), view.heightPx()}}, static_cast<int>(view.widthPx()), static_cast<int>(view.heightPx()));
   Surroundings around;
   around.occupied.begin(model);
   around.occupied.clear();
@@ -133,30 +133,41 @@ TEST_CASE("a line lies no further behind its base line than perspective still sh
 }
 
 TEST_CASE("a line lies no further across the picture from its base line than within its reach") {
-  // 25 px a metre; the base line is 100 px above the picture's lower edge, at row 900.
-  Camera camera;
-  camera.eye = {0, 0, 10};
-  camera.orthoHeightM = 40;
-  const View view(camera, 1000, 1000, Bounds{{-1, -20, -1}, {1, 20, 1}});
-  const auto above = [&](double wayPx, const History& history = History(0)) {
-    const int coveredFromPx = static_cast<int>(std::lround(900 - wayPx + kHandleSpacingPx));
-    return outsideAbove(coveredFromPx, view, {{-1, -16, 0}, {1, -16, 0}}, {.across = {0, 1, 0}, .normal = {0, 0, 1}}, history);
+  // Upright, 25 px a metre; the base line is 100 px above the picture's lower edge.
+  const auto above = [](double sidePx, double wayPx, const History& history = History(0)) {
+    Camera camera;
+    camera.eye = {0, 0, 10};
+    camera.orthoHeightM = sidePx / 25;
+    const View view(camera, sidePx, sidePx, Bounds{{-1, -20, -1}, {1, 20, 1}});
+    const int coveredFromPx = static_cast<int>(std::lround(sidePx - 100 - wayPx + kHandleSpacingPx));
+    const double y = -sidePx / 50 + 4;
+    return outsideAbove(coveredFromPx, view, {{-1, y, 0}, {1, y, 0}}, {.across = {0, 1, 0}, .normal = {0, 0, 1}}, history);
   };
   const double diagonalPx = 1000 * std::sqrt(2.0);
   const double reachPx = kMostReachShare * diagonalPx, stayPx = kMostReachShareToStay * diagonalPx;
-  const auto within = above(reachPx - 2);
+  const auto within = above(1000, reachPx - 2);
   REQUIRE(within.has_value());
   CHECK(within->baseScreen.start.y - within->lineScreen.start.y == Approx(reachPx).margin(4));
-  CHECK_FALSE(above(reachPx + 2).has_value());
-  // It is not pushed beyond it either, for its label's sake.
-  Candidate pushed = *within;
-  CHECK_FALSE(pushOutward(pushed, 10, view));
-  // The one that is there may be a little further away.
-  History history(0);
-  history.choose(within->identity, within->offsetM);
-  CHECK(above(reachPx + 2, history).has_value());
-  CHECK(above(stayPx - 2, history).has_value());
-  CHECK_FALSE(above(stayPx + 2, history).has_value());
+  CHECK_FALSE(above(1000, reachPx + 2).has_value());
+
+  SECTION("it is not pushed beyond it either, for its label's sake") {
+    Camera camera;
+    camera.eye = {0, 0, 10};
+    camera.orthoHeightM = 40;
+    Candidate pushed = *within;
+    CHECK_FALSE(pushOutward(pushed, 10, View(camera, 1000, 1000, Bounds{{-1, -20, -1}, {1, 20, 1}})));
+  }
+  SECTION("the one that is there may be a little further away") {
+    History history(0);
+    history.choose(within->identity, within->offsetM);
+    CHECK(above(1000, reachPx + 2, history).has_value());
+    CHECK(above(1000, stayPx - 2, history).has_value());
+    CHECK_FALSE(above(1000, stayPx + 2, history).has_value());
+  }
+  SECTION("in a small picture it reaches as far as the eye takes in at once") {
+    CHECK(above(450, kLeastReachPx - 2).has_value());
+    CHECK_FALSE(above(450, kLeastReachPx + 2).has_value());
+  }
 }
 
 TEST_CASE("an edge that the model hides comes after others, and less so for the line that is there") {
