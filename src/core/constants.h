@@ -50,8 +50,8 @@ inline constexpr double kArcShownAgainAngleRad = 0.32;
 /// and 34 m is drawn shorter than 19 m beside it. Smaller: more lines have no place but on the model.
 inline constexpr double kMostDepthRatio = 2.5;
 
-/// How far a line may lie from its base line along either side of the viewport, as a share of its diagonal, but so many px at least, which the eye takes in at once; and one that is there already. Beyond the paper. Larger: near by the model, extension lines lead across the whole picture, and nobody
-/// sees what the line measures. Smaller: more lines have no place but on the model.
+/// How far a line may lie from its base line along either side of the viewport, as a share of its diagonal, and one that is there already; in a small viewport so many px, which the eye takes in at once. Beyond the paper.
+/// Larger: near by the model, extension lines lead across the whole picture, and nobody sees what the line measures. Smaller: more lines have no place but on the model.
 inline constexpr double kMostReachShare = 0.4;
 inline constexpr double kMostReachShareToStay = 0.45;
 inline constexpr double kLeastReachPx = 300.0;

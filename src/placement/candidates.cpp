@@ -255,13 +255,13 @@ void gatherChainBaseLines(const Cluster& cluster, std::int32_t number, const Vie
 void gatherGuideCandidates(const CandidateContext& context, const UsableBaseLine& base, std::vector<Candidate>& candidates) {
   if (context.guides.size() == 0) return;
   const Vec3 along = glm::normalize(base.line.segment.end - base.line.segment.start);
-  forEachSlip(context, base, [&](Candidate& slipping) {
+  forEachSlip(context, base, [&](const Candidate& slipping) {
     if (context.history.leftLately(slipping.identity)) return;   // a guide comes before all other places (algorithm 1), so a price would not keep it from being gone back to
-    slipping.mostM = mostInViewM(context, slipping);
     for (std::size_t i = 0; i < context.guides.size(); ++i) {
       const Guide& guide = context.guides[i];
       if (!liesOn(guide, slipping.plane.plane, along, context.toleranceM)) continue;
       Candidate candidate = slipping;
+      candidate.mostM = mostInViewM(context, candidate);
       const double offsetM = glm::dot(guide.point - candidate.foot.start, candidate.outward);
       if (!(offsetM > 0) || offsetM < leastRoomM(candidate)) continue;
       const auto slide = Slide::make(context.view, candidate.foot, candidate.outward);
