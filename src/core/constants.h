@@ -168,7 +168,7 @@ inline constexpr double kScoreHiddenScope = -10.0 * kHandleSpacingPx;
 inline constexpr std::size_t kMendingAttempts = 3;
 /// One in so many attempts in another order goes back to the shortest first. Fewer: an order of long ago stays when it no longer helps. More: it costs time.
 inline constexpr int kShortestFirstEvery = 3;
-/// Attempts more at a frame in which lines run across others' extension lines, each drawn at random: who looks for another place, and the order, in which at most so many lines come before a shorter one. Fewer: more
+/// Attempts more at a frame in which lines run across others' extension lines, each drawn at random: who looks for another place on another side, and the order, in which at most so many lines come before a shorter one. Fewer: more
 /// such lines, which stay for longer. More: a tenth fewer of them, and a few changes of place more, for twice as many; each costs a frame with such lines about half as much time as placing it.
 inline constexpr int kShuffles = 24;
 /// The same in a first picture, and of how many lines each looks for another place there and where lines settle, the shortest. More: such a picture is there later.
@@ -178,6 +178,9 @@ inline constexpr std::size_t kLooksAtRest = 60;
 /// takes longer, for little more.
 inline constexpr int kShufflesSettling = 30;
 inline constexpr std::size_t kMostPuts = 3;
+/// Cosine. Two places whose ways from their base lines on screen differ by less are on one side, so that a line which looks for one on another side takes neither. Less: fewer places are tried.
+/// More: places are tried that do no better.
+inline constexpr double kSameSideCos = 0.7;
 /// Before so many of its lines' turns it is kept how an attempt stands, so that another one that begins likewise goes on from there; about 20 kB each in a viewport of 1000x1000. More: it takes memory. Fewer: lines are placed
 /// again that come to the same.
 inline constexpr std::size_t kMostKeptTurns = 32;

@@ -58,9 +58,10 @@ inline bool isFinite(const Vec2& v) { return std::isfinite(v.x) && std::isfinite
 inline bool isFinite(const Vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
 /// The direction of a vector, unit length; zero for one without.
-inline Vec3 unitOrZero(const Vec3& v) {
+template <typename Vector>
+Vector unitOrZero(const Vector& v) {
   const double length = glm::length(v);
-  return length > 0 ? v / length : Vec3(0.0);
+  return length > 0 ? v / length : Vector(0.0);
 }
 
 /// An oriented plane. `normal` has unit length.

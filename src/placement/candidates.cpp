@@ -163,6 +163,16 @@ void keep(const CandidateContext& context, const UsableBaseLine& base, Candidate
   candidates.push_back(candidate);
 }
 
+bool isAvoided(const AvoidedPlace& avoided, const Candidate& candidate, const View& view) {
+  if (candidate.identity == avoided.place) return true;
+  if (avoided.side == Vec2(0.0)) return false;
+  const Vec3 foot = candidate.foot.middle();
+  const Segment step{foot, foot + candidate.outward * view.metresPerPixelAt(foot)};
+  if (!view.inFrontOfNear(step)) return false;
+  const Segment2 way = view.toScreen(step);
+  return glm::dot(way.end - way.start, avoided.side) > kSameSideCos * way.length();
+}
+
 /// Calls `use(candidate)` for each plane of a base line and each direction on it. A chain slips away from its members only.
 template <typename Use>
 void forEachSlip(const CandidateContext& context, const UsableBaseLine& base, Use use) {
@@ -173,7 +183,7 @@ void forEachSlip(const CandidateContext& context, const UsableBaseLine& base, Us
       if (direction < 0 && base.cluster >= 0 && plane.kind == PlaneKind::kScope) continue;
       Candidate candidate = unplaced(base, plane, direction, context);
       if (context.only != nullptr && candidate.identity != *context.only) continue;
-      if (context.avoid != nullptr && candidate.identity == *context.avoid) continue;
+      if (context.avoid != nullptr && isAvoided(*context.avoid, candidate, context.view)) continue;
       use(candidate);
     }
   }

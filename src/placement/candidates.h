@@ -59,6 +59,15 @@ struct BaseLineTally {
   void add(const BaseLineTally& other);
 };
 
+/// Where a line does not go, since it looks for another place.
+struct AvoidedPlace {
+  Identity place{};    ///< of parameter -1: none
+  Vec2 side{0.0};      ///< a unit vector on screen: it goes nowhere else on that side of its base line either; 0: it may
+
+  [[nodiscard]] bool any() const { return place.parameter >= 0; }
+  bool operator==(const AvoidedPlace&) const = default;
+};
+
 /// What the candidates of one parameter are made from and judged by in one frame.
 struct CandidateContext {
   const Annotation& annotation;
@@ -74,7 +83,7 @@ struct CandidateContext {
   Foresight& foresight;
   double leastPx = 0;                  ///< length on screen of the shortest line that is shown
   const Identity* only = nullptr;      ///< the one candidate that is looked for; null: all are
-  const Identity* avoid = nullptr;     ///< a candidate that is left out
+  const AvoidedPlace* avoid = nullptr; ///< candidates that are left out
   bool lasting = false;                ///< while the camera comes nearer or goes away, new places that it takes away soon are left out
   bool showAll = false;                ///< a line that is shown for its last moments, or of a scope that nobody sees, is better than none
   std::span<const Sight> sights = {};  ///< one a scope: how much of it is seen

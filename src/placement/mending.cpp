@@ -114,11 +114,12 @@ std::optional<Attempt> Mending::nextOrder(const Outcome& outcome, bool shortestF
   return Attempt{.puts = {{{.rank = later, .before = earlier}}}, .putCount = 1};
 }
 
-/// Mostly another order, and mostly someone who looks for another place, both rather of lines that are in a tangle.
+/// Mostly another order, and mostly someone who looks for another place, both rather of lines that are in a tangle. The next best place mostly is beside the one that is left, and no better for the
+/// others, so it is to be on another side.
 Attempt Mending::shuffle(const Outcome& outcome) {
   const std::size_t ranks = outcome.outside.size();
   const auto [earlier, later] = outcome.tangled.empty() ? anyTwo(ranks) : outcome.tangled[anyOf(outcome.tangled.size())];
-  Attempt attempt{.shortestFirst = anyOf(4) == 0};
+  Attempt attempt{.otherSide = true, .shortestFirst = anyOf(4) == 0};
   attempt.putCount = anyOf(kMostPuts + 1);
   attempt.puts[0] = {.rank = later, .before = earlier};
   for (std::size_t i = 1; i < attempt.putCount; ++i) {

@@ -42,6 +42,7 @@ struct Attempt {
     std::size_t rank = 0, before = 0;
   };
   std::optional<std::size_t> looks = std::nullopt;   ///< the rank of the line that must find another place than it has
+  bool otherSide = false;                            ///< and on another side of its base line
   bool shortestFirst = false;                        ///< the shortest come first again, before anyone is put before others
   bool winsTies = false;                             ///< it is kept unless it is worse; others are when they are better
   std::array<Put, kMostPuts> puts{};

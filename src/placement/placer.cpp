@@ -315,7 +315,7 @@ void Placer::State::mend(const FrameToPlace& frame, Layout& layout) {
   mending.begin();
   auto attempt = mending.next(outcome, past.placingOrder.isShortestFirst());
   if (attempt) outcome.tanglesAhead = tanglesAhead(layout.lines);
-  avoided.assign(order.size(), Identity{});
+  avoided.assign(order.size(), {});
   for (; attempt; attempt = mending.next(outcome, past.placingOrder.isShortestFirst())) {
     beginAttempt(*attempt, layout);
     const std::size_t same = turnsInCommon();
@@ -365,7 +365,17 @@ void Placer::State::beginAttempt(const Attempt& attempt, Layout& layout) {
   if (attempt.shortestFirst) past.placingOrder.forget();
   for (const auto& [rank, before] : std::span(attempt.puts).first(attempt.putCount)) past.placingOrder.put(rank, before);
   avoided = bestAvoided;
-  if (attempt.looks) avoided[*attempt.looks] = bestPast.histories[order[*attempt.looks].parameter].last();
+  if (attempt.looks) avoided[*attempt.looks] = bestPlaceOf(*attempt.looks, attempt.otherSide);
+}
+
+/// Where the line of a rank lies in the best attempt; `withSide`: and all else on that side.
+AvoidedPlace Placer::State::bestPlaceOf(std::size_t rank, bool withSide) const {
+  const std::size_t parameter = order[rank].parameter;
+  AvoidedPlace best{.place = bestPast.histories[parameter].last()};
+  const auto line = std::ranges::find(bestLayout.lines, parameter, &PlacedLine::parameter);
+  if (!withSide || line == bestLayout.lines.end() || line->placement == PlacementKind::kInside) return best;
+  best.side = unitOrZero(line->lineScreen.middle() - line->baseScreen.middle());
+  return best;
 }
 
 /// How many lines have their turn before anything is done otherwise than in the best attempt.
@@ -379,7 +389,7 @@ std::size_t Placer::State::turnsInCommon() const {
 /// Whether a line that looks for another place has found none outside: it would be back in its own in the next frame.
 bool Placer::State::looksInVain() const {
   for (std::size_t rank = 0; rank < avoided.size(); ++rank) {
-    if (avoided[rank] != Identity{} && outcome.outside[rank] == 0) return true;
+    if (avoided[rank].any() && outcome.outside[rank] == 0) return true;
   }
   return false;
 }

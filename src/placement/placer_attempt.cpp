@@ -155,7 +155,7 @@ void Placer::State::placeFrom(std::size_t firstTurn, const FrameToPlace& frame, 
       landHeld(measured, *inHand, layout);
       continue;
     }
-    const Identity* avoid = !avoided.empty() && avoided[rank] != Identity{} ? &avoided[rank] : nullptr;
+    const AvoidedPlace* avoid = !avoided.empty() && avoided[rank].any() ? &avoided[rank] : nullptr;
     ChoiceContext context = contextOf(frame, object, measured, avoid);
     if (isHeld) {
       hold(*inHand);
@@ -200,7 +200,7 @@ void Placer::State::placeAllHidden(const FrameToPlace& frame, Layout& layout) {
   labelInside(frame, std::span(layout.lines).subspan(shown));
 }
 
-ChoiceContext Placer::State::contextOf(const FrameToPlace& frame, const ObjectPlanesInFrame& object, const Measured& measured, const Identity* avoid) {
+ChoiceContext Placer::State::contextOf(const FrameToPlace& frame, const ObjectPlanesInFrame& object, const Measured& measured, const AvoidedPlace* avoid) {
   return {frame.view, frame.fields, occupied, past.lookAhead, past.labels, object, foresight, scopes, usableScopes(measured), past.sights, toleranceM, frame.viewMoved,
           firm, patient(), avoid, nullptr, asksForRoom, kind, showAll};
 }

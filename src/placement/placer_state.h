@@ -94,8 +94,8 @@ struct Placer::State {
   bool firm = false;                  ///< see ChoiceContext
   FrameKind kind;                     ///< of the frame that is placed
   bool asksForRoom = false;           ///< see ChoiceContext
-  /// One a rank while a frame is mended: the place that the line does not take, since it looks for another; that of parameter -1 when it does not.
-  std::vector<Identity> avoided;
+  /// One a rank while a frame is mended; none of a line that does not look for another place.
+  std::vector<AvoidedPlace> avoided;
 
   /// What stands in an attempt when the turn of a line comes, so that another attempt in which all goes the same way until then can go on from there.
   struct Turn {
@@ -111,7 +111,7 @@ struct Placer::State {
 
   // The best attempt at this frame so far, while another is made; and what all of them begin with.
   std::vector<Turn> bestTurns;
-  std::vector<Identity> bestAvoided;
+  std::vector<AvoidedPlace> bestAvoided;
   Past bestPast;
   Outcome bestOutcome;
   Layout bestLayout;
@@ -158,6 +158,7 @@ struct Placer::State {
   [[nodiscard]] double tanglesAhead(std::span<const PlacedLine> lines);
   void beginAttempt(const Attempt& attempt, Layout& layout);
   [[nodiscard]] std::size_t turnsInCommon() const;
+  [[nodiscard]] AvoidedPlace bestPlaceOf(std::size_t rank, bool withSide) const;
   [[nodiscard]] bool looksInVain() const;
   void swapWithBest(Layout& layout);
   void placeOnDemand(const FrameToPlace& frame, bool sceneChanged, Layout& layout);
@@ -177,7 +178,7 @@ struct Placer::State {
   void placeBesideLines(const FrameToPlace& frame, Layout& layout);
   void placeAllHidden(const FrameToPlace& frame, Layout& layout);
   void labelInside(const FrameToPlace& frame, std::span<PlacedLine> lines);
-  [[nodiscard]] ChoiceContext contextOf(const FrameToPlace& frame, const ObjectPlanesInFrame& object, const Measured& measured, const Identity* avoid);
+  [[nodiscard]] ChoiceContext contextOf(const FrameToPlace& frame, const ObjectPlanesInFrame& object, const Measured& measured, const AvoidedPlace* avoid);
   [[nodiscard]] std::span<const char> usableScopes(const Measured& measured) const;
   [[nodiscard]] BaseLineTally scopesOutOfSight(const Measured& measured) const;
   void placeLines(std::size_t rank, const ChoiceContext& context, double value, Layout& layout);

@@ -28,7 +28,7 @@ struct ChoiceContext {
   bool viewMoved = false;                   ///< since the last frame
   bool firm = false;                        ///< the last frame's place is kept wherever it still is one
   bool patient = false;                     ///< what has had a better kind of place for less than kPatienceFrames, or kPatienceSmallViewportFrames, does not take it yet
-  const Identity* avoid = nullptr;          ///< a place that is not looked at
+  const AvoidedPlace* avoid = nullptr;      ///< places that are not looked at
   const Segment* inHand = nullptr;          ///< a line of the same chain that is dragged, and with which it goes
   bool asksForRoom = false;                 ///< labels may yet give way, in another round of the same frame
   FrameKind kind;

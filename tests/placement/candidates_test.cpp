@@ -170,6 +170,49 @@ TEST_CASE("a line lies no further across the picture from its base line than wit
   }
 }
 
+TEST_CASE("a line that looks for another place takes all but its own, and one that looks on another side none on its own side either") {
+  // From above at 45 degrees both planes of the base line lead up and down in the picture.
+  Camera camera;
+  camera.eye = {0, 10, 10};
+  camera.orthoHeightM = 10;
+  const View view(camera, 1000, 1000, Bounds{{-1, -1, -1}, {1, 1, 1}});
+  const DistanceFields nothing = fieldsCovering({{495, 495}, {505, 505}}, 1000, 1000);
+  Surroundings around;
+  around.occupied.begin(nothing);
+  around.occupied.clear();
+  UsableBaseLine base;
+  base.line.segment = {{-1, 0, 0}, {1, 0, 0}};
+  base.line.scopePlanes.push_back({.across = {0, 1, 0}, .normal = {0, 0, 1}});
+  base.line.scopePlanes.push_back({.across = {0, 0, 1}, .normal = {0, 1, 0}});
+  base.screen = view.toScreen(base.line.segment);
+  Annotation annotation;
+  annotation.slip = Slip::kScope;
+  const History history(0);
+  const Sight sight;
+  const auto gathered = [&](const AvoidedPlace* avoid) {
+    CandidateContext context = around.context(annotation, view, history, {&sight, 1});
+    context.avoid = avoid;
+    std::vector<Candidate> candidates;
+    gatherOutsideCandidates(context, base, candidates);
+    return candidates;
+  };
+  const auto isAbove = [](const Candidate& candidate) { return candidate.lineScreen.start.y < candidate.baseScreen.start.y; };
+
+  const std::vector<Candidate> all = gathered(nullptr);
+  REQUIRE(all.size() == 4);
+  const auto up = std::ranges::find_if(all, isAbove);
+  REQUIRE(up != all.end());
+  AvoidedPlace avoided{.place = up->identity};
+  const std::vector<Candidate> others = gathered(&avoided);
+  CHECK(others.size() == 3);
+  CHECK(std::ranges::count_if(others, isAbove) == 1);
+  CHECK(std::ranges::find(others, up->identity, &Candidate::identity) == others.end());
+  avoided.side = {0, -1};
+  const std::vector<Candidate> across = gathered(&avoided);
+  CHECK(across.size() == 2);
+  CHECK(std::ranges::none_of(across, isAbove));
+}
+
 TEST_CASE("an edge that the model hides comes after others, and less so for the line that is there") {
   const View view(orbitCamera({0, 0, 0}, 20, 30, 20), 1000, 1000, Bounds{{-1, 0, -1}, {1, 2, 1}});
   const Obb box = boxAt({-1, 0, -1}, {2, 2, 2});

@@ -73,7 +73,7 @@ std::vector<Attempt> ordersOf(const std::vector<Attempt>& attempts) {
 
 bool same(const Attempt& a, const Attempt& b) {
   const auto samePut = [](const Attempt::Put& p, const Attempt::Put& q) { return p.rank == q.rank && p.before == q.before; };
-  return a.looks == b.looks && a.shortestFirst == b.shortestFirst && a.putCount == b.putCount &&
+  return a.looks == b.looks && a.otherSide == b.otherSide && a.shortestFirst == b.shortestFirst && a.putCount == b.putCount &&
          std::equal(a.puts.begin(), a.puts.begin() + static_cast<std::ptrdiff_t>(a.putCount), b.puts.begin(), samePut);
 }
 
@@ -236,6 +236,7 @@ TEST_CASE("where lines are in a tangle, more is tried at random: other places an
   for (int frame = 0; frame < 50; ++frame) {
     std::vector<Attempt> attempts = attemptsAt(mending, tangled(1));
     REQUIRE(attempts.size() >= kShuffles + 1);   // another order in turn, and perhaps someone who looks, come first
+    CHECK_FALSE(attempts.front().otherSide);
     drawn.insert(drawn.end(), attempts.end() - kShuffles, attempts.end());
   }
   std::vector<int> looked(kRanks, 0);
@@ -243,6 +244,7 @@ TEST_CASE("where lines are in a tangle, more is tried at random: other places an
   int both = 0;
   for (const Attempt& attempt : drawn) {
     CHECK_FALSE(attempt.winsTies);
+    CHECK(attempt.otherSide);
     REQUIRE(attempt.putCount <= kMostPuts);
     if (attempt.looks) {
       REQUIRE(*attempt.looks < kRanks);
