@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "math/geometry.h"
+
 namespace dimline {
 
 namespace {
@@ -182,7 +184,7 @@ bool MaskPicture::keepsDistance(const Segment2& segment, double leastPx) const {
   if (!contains(mask_.widthPx, mask_.heightPx, segment.start) || !contains(mask_.widthPx, mask_.heightPx, segment.end))
     return false;
   const double length = segment.length();
-  const Vec2 direction = length > 0 ? (segment.end - segment.start) / length : Vec2(0.0);
+  const Vec2 direction = unitOrZero(segment.end - segment.start);
   double along = 0;
   for (;;) {
     const double spare = interpolatedPx(segment.start + direction * along) - 0.5 - leastPx;

@@ -168,8 +168,9 @@ inline constexpr double kScoreHiddenScope = -10.0 * kHandleSpacingPx;
 inline constexpr std::size_t kMendingAttempts = 3;
 /// One in so many attempts in another order goes back to the shortest first. Fewer: an order of long ago stays when it no longer helps. More: it costs time.
 inline constexpr int kShortestFirstEvery = 3;
-/// Attempts more at a frame in which lines run across others' extension lines, each drawn at random: who looks for another place on another side, and the order, in which at most so many lines come before a shorter one. Fewer: more
-/// such lines, which stay for longer. More: a tenth fewer of them, and a few changes of place more, for twice as many; each costs a frame with such lines about half as much time as placing it.
+/// Attempts more at a frame in which lines run across others' extension lines, each drawn at random: who looks for another place on another side, and the order, in which at most so many lines come before a
+/// shorter one. Fewer: more such lines, which stay for longer. More: a tenth fewer of them, and a few changes of place more, for twice as many; each costs a frame with such lines about half as much time as
+/// placing it.
 inline constexpr int kShuffles = 24;
 /// The same in a first picture, and of how many lines each looks for another place there and where lines settle, the shortest. More: such a picture is there later.
 inline constexpr int kShufflesAtFirst = 60;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "placement/on_screen.h"
 #include "placement/score.h"
@@ -163,14 +164,20 @@ void keep(const CandidateContext& context, const UsableBaseLine& base, Candidate
   candidates.push_back(candidate);
 }
 
+/// The way on screen of what moves in the world; nothing when part of it is not in front of the near plane.
+std::optional<Vec2> wayOnScreen(const Vec3& from, const Vec3& move, const View& view) {
+  const Segment way{from, from + move};
+  if (!view.inFrontOfNear(way)) return std::nullopt;
+  const Segment2 screen = view.toScreen(way);
+  return screen.end - screen.start;
+}
+
+/// Whether a line that looks for another place would still be where it was, or beside that.
 bool isAvoided(const AvoidedPlace& avoided, const Candidate& candidate, const View& view) {
   if (candidate.identity == avoided.place) return true;
   if (avoided.side == Vec2(0.0)) return false;
-  const Vec3 foot = candidate.foot.middle();
-  const Segment step{foot, foot + candidate.outward * view.metresPerPixelAt(foot)};
-  if (!view.inFrontOfNear(step)) return false;
-  const Segment2 way = view.toScreen(step);
-  return glm::dot(way.end - way.start, avoided.side) > kSameSideCos * way.length();
+  const auto way = wayOnScreen(candidate.foot.middle(), candidate.outward * metresAt(candidate, 1, view), view);
+  return way && glm::dot(*way, avoided.side) > kSameSideCos * glm::length(*way);
 }
 
 /// Calls `use(candidate)` for each plane of a base line and each direction on it. A chain slips away from its members only.
@@ -345,9 +352,9 @@ bool pushOutward(Candidate& candidate, double byPx, const View& view) {
   const Vec3 middle = candidate.line.middle();
   // One pixel's worth of world at that depth, tried along the plane: its length on screen turns pixels into metres.
   const double probeM = view.metresPerPixelAt(middle);
-  const Vec3 probe = middle + candidate.outward * probeM;
-  if (!view.inFrontOfNear(probe)) return false;
-  const double probePx = glm::length(view.toScreen(probe) - view.toScreen(middle));
+  const auto probe = wayOnScreen(middle, candidate.outward * probeM, view);
+  if (!probe) return false;
+  const double probePx = glm::length(*probe);
   if (!(probePx > 1e-3)) return false;
   return pushTo(candidate, candidate.offsetM + probeM * byPx / probePx, view);
 }

@@ -368,13 +368,13 @@ void Placer::State::beginAttempt(const Attempt& attempt, Layout& layout) {
   if (attempt.looks) avoided[*attempt.looks] = bestPlaceOf(*attempt.looks, attempt.otherSide);
 }
 
-/// Where the line of a rank lies in the best attempt; `withSide`: and all else on that side.
+/// Where the line of a rank lies in the best attempt; `withSide`: and all else on that side; inside the model there is none.
 AvoidedPlace Placer::State::bestPlaceOf(std::size_t rank, bool withSide) const {
   const std::size_t parameter = order[rank].parameter;
   AvoidedPlace best{.place = bestPast.histories[parameter].last()};
+  if (!withSide) return best;
   const auto line = std::ranges::find(bestLayout.lines, parameter, &PlacedLine::parameter);
-  if (!withSide || line == bestLayout.lines.end() || line->placement == PlacementKind::kInside) return best;
-  best.side = unitOrZero(line->lineScreen.middle() - line->baseScreen.middle());
+  if (line != bestLayout.lines.end()) best.side = unitOrZero(line->lineScreen.middle() - line->baseScreen.middle());
   return best;
 }
 

@@ -2,15 +2,14 @@
 
 #include <cmath>
 
+#include "math/geometry.h"
+
 namespace dimline {
 
 namespace {
 
 /// Cosine between an offset on screen and the preferred direction; 0 when either has none.
-double alignTerm(const Vec2& offset, Align align) {
-  const double length = glm::length(offset);
-  return length > 0 ? glm::dot(offset / length, direction(align)) : 0.0;
-}
+double alignTerm(const Vec2& offset, Align align) { return glm::dot(unitOrZero(offset), direction(align)); }
 
 double planeTerm(PlaneKind kind, Facing facing) {
   if (kind == PlaneKind::kNone || kind == PlaneKind::kBillboard) return 0.0;
