@@ -5,6 +5,7 @@
 #include <map>
 
 #include "cli/audit_geometry.h"
+#include "cli/audit_odds.h"
 #include "core/constants.h"
 #include "core/text.h"
 
@@ -47,8 +48,8 @@ private:
     const Box2 viewport = layout_.view.viewport();
     return !(p.x >= viewport.min.x && p.y >= viewport.min.y && p.x <= viewport.max.x && p.y <= viewport.max.y);
   }
-  void offend(AuditRow row, const std::string& who, double badness, const std::string& what) {
-    tally_.offend(row, who, badness, name_, what);
+  void offend(AuditRow row, const std::string& who, double badness, const std::string& what, bool atOdds = false) {
+    tally_.offend(row, who, badness, name_, what, atOdds);
   }
   void crossing(std::size_t a, std::size_t b);
   void labels(std::size_t a, std::size_t b);
@@ -108,8 +109,8 @@ void FrameAudit::crossing(std::size_t a, std::size_t b) {
   if (!cross && !lieOnEachOther(first, second)) return;
   const bool inside = !isOutside(lines_[a]) && !isOutside(lines_[b]);
   const bool must = inside && mustCross(frame_, a, b);
-  offend(AuditRow::kLineCrossings, names(a, b) + (must ? ", which have no other base line" : ""), inside ? 0 : 1,
-         std::string(cross ? "cross" : "lie on each other") + (inside ? ", both inside" : ""));
+  offend(AuditRow::kLineCrossings, names(a, b), inside ? 0 : 1,
+         std::string(cross ? "cross" : "lie on each other") + (inside ? ", both inside" : ""), must);
 }
 
 void FrameAudit::labels(std::size_t a, std::size_t b) {
@@ -251,7 +252,8 @@ void FrameAudit::searches() {
       const Vec2 middle = place->screen.middle();
       offend(AuditRow::kNeedlesslyInside, nameOf(i), place->seesAnEdge ? 1 : 0,
              "there is room around (" + formatFixed(middle.x, 0) + ", " + formatFixed(middle.y, 0) + ")" +
-                 (place->seesAnEdge ? "" : ", which no viewport edge sees whole"));
+                 (place->seesAnEdge ? "" : ", which no viewport edge sees whole"),
+             frame_.odds != nullptr && frame_.odds->hasBriefRoom(lines_[i].parameter, frame_.number));
     }
   }
 }
@@ -274,7 +276,8 @@ void FrameAudit::unshown() {
     if (const auto scope = scopeInPlainView(frame_, i)) {
       offend(AuditRow::kUnshown, frame_.model->parameters()[i].name, 0,
              frame_.scene->scopes[*scope].name + " " + std::to_string(frame_.scene->scopes[*scope].index) +
-                 " is in plain view, the reason given is " + std::string(listed ? name(hidden->reason) : "none"));
+                 " is in plain view, the reason given is " + std::string(listed ? name(hidden->reason) : "none"),
+             frame_.odds != nullptr && frame_.odds->isBrieflyInView(i, frame_.number));
     }
   }
 }

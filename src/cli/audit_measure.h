@@ -12,8 +12,8 @@ namespace dimline {
 void measureFrame(const AuditedFrame& frame, const FrameName& name, bool searching, AuditTally& tally);
 
 /// Measures the rows that concern frames in their order: identity changes, flicker, jumps, chain members. `names`
-/// belong to `layouts` one to one.
-void measureSteps(const Model& model, std::span<const Layout> layouts, std::span<const FrameName> names,
+/// belong to `layouts` one to one. `odds`: of the same flight, or null.
+void measureSteps(const Model& model, std::span<const Layout> layouts, std::span<const FrameName> names, Odds* odds,
                   AuditTally& tally);
 
 /// Measures the still camera: the same frame placed twice.

@@ -74,6 +74,7 @@ void writeRow(JsonWriter& json, const AuditPart& part, const RowDefinition& row,
   json.key("met").value(figure.met);
   json.key("judged").value(figure.judged);
   json.key("offences").value(figure.offences);
+  json.key("atOdds").value(figure.atOdds);
   writeNumber(json, "frozen", frozenThere, frozen.value);
   json.key("worst").beginArray();
   for (const OffenceGroup& group : part.placed.worst(row.row, worst)) {
@@ -111,6 +112,9 @@ void printAudit(const Model& model, const AuditPart& part, std::size_t worst, st
         << std::setw(kFigureWidth) << (searched(row.row) ? "-" : figureText(row, part.frozen.figure(row.row)))
         << std::setw(16) << aimText(row) << (figure.met ? "ok" : "MISSED") << "\n";
     if (figure.met) continue;
+    if (figure.atOdds > 0) {
+      out << std::setw(kTitleWidth) << "  of these at odds with another row" << figure.atOdds << "\n";
+    }
     for (const OffenceGroup& group : part.placed.worst(row.row, worst)) printGroup(group, out);
   }
   out << met << " of " << measured << " aims met.\n";

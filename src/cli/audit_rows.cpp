@@ -72,12 +72,14 @@ void AuditTally::measure(AuditRow row, double value) {
 }
 
 void AuditTally::offend(AuditRow row, const std::string& names, double badness, const FrameName& frame,
-                        const std::string& what) {
+                        const std::string& what, bool atOdds) {
   Entry& entry = at(row);
   ++entry.offences;
-  OffenceGroup& group = entry.groups[names];
-  group.names = names;
-  keepWorse(group, {.names = names, .count = 1, .badness = badness, .frame = frame, .what = what});
+  entry.atOdds += atOdds ? 1 : 0;
+  const std::string who = names + (atOdds ? ", at odds with another row" : "");
+  OffenceGroup& group = entry.groups[who];
+  group.names = who;
+  keepWorse(group, {.names = who, .count = 1, .badness = badness, .frame = frame, .what = what});
 }
 
 void AuditTally::add(const AuditTally& other) {
@@ -87,6 +89,7 @@ void AuditTally::add(const AuditTally& other) {
     if (from.judged > 0) to.least = to.judged == 0 ? from.least : std::min(to.least, from.least);
     to.judged += from.judged;
     to.offences += from.offences;
+    to.atOdds += from.atOdds;
     to.samples.insert(to.samples.end(), from.samples.begin(), from.samples.end());
     for (const auto& [names, group] : from.groups) {
       OffenceGroup& mine = to.groups[names];
@@ -99,7 +102,7 @@ void AuditTally::add(const AuditTally& other) {
 Figure AuditTally::figure(AuditRow row) const {
   const Entry& entry = at(row);
   const RowDefinition& rule = definition(row);
-  Figure figure{.judged = entry.judged, .offences = entry.offences};
+  Figure figure{.judged = entry.judged, .offences = entry.offences, .atOdds = entry.atOdds};
   if (entry.judged == 0) return figure;
   switch (rule.kind) {
     case FigureKind::kCount:

@@ -61,8 +61,8 @@ enum class AuditRow : std::uint8_t {
   /// Parameters shown in two frames that follow each other whose lines' identities differ (a chain's without the
   /// member). Hidden in one of them is no change.
   kIdentityChanges,
-  /// A parameter's identity (hidden counts as one) goes from A to another and is A again at most 15 frames later, in
-  /// one steady movement.
+  /// A parameter's identity (hidden counts as one) goes from A to another and is A again at most kTakenBackFrames
+  /// later, in one steady movement.
   kFlicker,
   /// Lines of the same identity, members told apart, in two frames that follow each other, one of whose ends moves more
   /// than 40 px against the base line's.
@@ -78,6 +78,10 @@ enum class AuditRow : std::uint8_t {
   kUnshown
 };
 inline constexpr std::size_t kAuditRowCount = 17;
+
+/// Within so many frames a change that is undone counts as taken back (AuditRow::kFlicker): what is seen for less than
+/// a quarter of a second flickers.
+inline constexpr std::size_t kTakenBackFrames = 15;
 
 /// How a row's figure is made, and how it meets the aim.
 enum class FigureKind : std::uint8_t {
@@ -113,6 +117,7 @@ struct FrameName {
 struct Figure {
   std::size_t judged = 0;  ///< how much there was to judge; with nothing the row has no figure and meets its aim
   std::size_t offences = 0;
+  std::size_t atOdds = 0;  ///< of the offences, those that are at odds with another row (AuditTally::offend)
   double value = 0;    ///< offences, share, least value, or median
   double value95 = 0;  ///< 95th percentile, of kRatios
   bool met = true;
@@ -134,8 +139,10 @@ public:
   void judge(AuditRow row, std::size_t count = 1) { at(row).judged += count; }
   /// A value of a kLeast or kRatios row; judges one.
   void measure(AuditRow row, double value);
-  /// One more offence. `badness` orders offences of one row.
-  void offend(AuditRow row, const std::string& names, double badness, const FrameName& frame, const std::string& what);
+  /// One more offence. `badness` orders offences of one row; `atOdds`: who does without it commits one in another row,
+  /// so that it is listed by itself. It counts all the same.
+  void offend(AuditRow row, const std::string& names, double badness, const FrameName& frame, const std::string& what,
+              bool atOdds = false);
   void add(const AuditTally& other);
 
   [[nodiscard]] Figure figure(AuditRow row) const;
@@ -146,6 +153,7 @@ private:
   struct Entry {
     std::size_t judged = 0;
     std::size_t offences = 0;
+    std::size_t atOdds = 0;
     double least = 0;
     std::vector<double> samples;  ///< of kRatios
     std::map<std::string, OffenceGroup> groups;

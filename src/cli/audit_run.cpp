@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "cli/audit_measure.h"
+#include "cli/audit_odds.h"
 #include "core/text.h"
 
 // A flight is placed first, frame after frame, as frames know of each other; that is quick. Its frames are then held
@@ -46,6 +47,7 @@ struct FlightAudit {
 void measureFrames(const FlightAudit& audit, std::size_t first, std::size_t last, Tallies& tallies) {
   MaskPicture mask;
   DepthPicture depth;
+  Odds odds(audit.model, audit.scene, audit.flown.layouts, audit.flown.flight.names);
   for (std::size_t k = first; k < last; ++k) {
     const std::size_t i = k * audit.every;
     const Layout& layout = audit.flown.layouts[i];
@@ -54,6 +56,9 @@ void measureFrames(const FlightAudit& audit, std::size_t first, std::size_t last
     mask.read(depth.mask());
     const FrameName& name = audit.flown.flight.names[i];
     AuditedFrame frame{&audit.model, &audit.scene, &layout, &mask, &depth};
+    // Between the pictures in which a movement rests lie others, of which nothing is said.
+    if (audit.flown.flight.restEvery == 0) frame.odds = &odds;
+    frame.number = i;
     measureFrame(frame, name, true, tallies.placed);
     frame.layout = &fixed;
     measureFrame(frame, name, false, tallies.frozen);
@@ -128,8 +133,9 @@ void Auditor::audit(const Scene& scene, const Values& values, Flight flight, int
   const FlownFlight flown = fly(model_, scene, values, std::move(flight), part.placed);
   const std::vector<Layout> frozenLayouts = frozen(flown, scene);
   if (flown.flight.restEvery == 0) {
-    measureSteps(model_, flown.layouts, flown.flight.names, part.placed);
-    measureSteps(model_, frozenLayouts, flown.flight.names, part.frozen);
+    Odds odds(model_, scene, flown.layouts, flown.flight.names);
+    measureSteps(model_, flown.layouts, flown.flight.names, &odds, part.placed);
+    measureSteps(model_, frozenLayouts, flown.flight.names, nullptr, part.frozen);
   }
 
   const FlightAudit work{model_, scene, flown, frozenLayouts, static_cast<std::size_t>(every)};

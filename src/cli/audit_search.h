@@ -13,6 +13,8 @@
 // types.
 namespace dimline {
 
+class Odds;
+
 /// One frame as the audit sees it. The scene is the layout's; the pictures are of its view.
 struct AuditedFrame {
   const Model* model = nullptr;
@@ -20,6 +22,8 @@ struct AuditedFrame {
   const Layout* layout = nullptr;
   MaskPicture* mask = nullptr;
   const DepthPicture* depth = nullptr;
+  Odds* odds = nullptr;     ///< of the flight that the frame is of; null: nothing is asked of frames before and after
+  std::size_t number = 0;   ///< there
 };
 
 /// A scope's base lines of the linear types: four edges along the axis, or the middle. None for other types.

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "cli/audit_measure.h"
+#include "cli/audit_odds.h"
 #include "core/text.h"
 
 // The rows that compare frames. A parameter's state in a frame is the set of the identities of its lines, a chain's
@@ -12,7 +13,6 @@ namespace dimline {
 
 namespace {
 
-constexpr std::size_t kTakenBackFrames = 15;
 constexpr double kJumpPx = 40.0;
 
 using State = std::vector<Identity>;
@@ -66,7 +66,7 @@ std::string afterWhat(const Layout& before, const Layout& after, std::size_t par
 }
 
 void measureStates(const Model& model, std::size_t parameter, std::span<const Layout> layouts,
-                   std::span<const FrameName> names, AuditTally& tally) {
+                   std::span<const FrameName> names, Odds* odds, AuditTally& tally) {
   const std::string& parameterName = model.parameters()[parameter].name;
   std::vector<State> states;
   for (const Layout& layout : layouts) states.push_back(stateOf(layout, parameter));
@@ -88,7 +88,9 @@ void measureStates(const Model& model, std::size_t parameter, std::span<const La
       if (!sameState(states[g], before)) continue;
       tally.offend(AuditRow::kFlicker, parameterName, static_cast<double>(kTakenBackFrames + 1 - (g - f)), names[f],
                    textOf(before, layouts[f - 1], parameter, model) + " to " + textOf(states[f], layouts[f], parameter, model) +
-                       ", and after " + std::to_string(g - f) + " back to " + textOf(states[g], layouts[g], parameter, model));
+                       ", and after " + std::to_string(g - f) + " back to " +
+                       textOf(states[g], layouts[g], parameter, model),
+                   odds != nullptr && odds->hadToGoBack(parameter, f, g));
       break;
     }
   }
@@ -171,9 +173,9 @@ void compareStill(const Model& model, const std::vector<Shown>& first, const std
 
 }  // namespace
 
-void measureSteps(const Model& model, std::span<const Layout> layouts, std::span<const FrameName> names,
+void measureSteps(const Model& model, std::span<const Layout> layouts, std::span<const FrameName> names, Odds* odds,
                   AuditTally& tally) {
-  for (std::size_t p = 0; p < model.parameters().size(); ++p) measureStates(model, p, layouts, names, tally);
+  for (std::size_t p = 0; p < model.parameters().size(); ++p) measureStates(model, p, layouts, names, odds, tally);
   for (std::size_t f = 1; f < layouts.size(); ++f) {
     measureJumps(model, layouts[f - 1], layouts[f], names[f], tally);
     measureMembers(model, layouts[f - 1], layouts[f], names[f], tally);

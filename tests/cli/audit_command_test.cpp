@@ -30,8 +30,8 @@ TEST_CASE("dimline audit prints a table, and the same as JSON") {
   REQUIRE(part["rows"].size() == kAuditRowCount);
   for (const auto& row : part["rows"]) {
     INFO(row.dump());
-    for (const char* key :
-         {"row", "title", "figure", "figure95", "aim", "aim95", "met", "judged", "offences", "frozen", "worst"}) {
+    for (const char* key : {"row", "title", "figure", "figure95", "aim", "aim95", "met", "judged", "offences", "atOdds",
+                            "frozen", "worst"}) {
       CHECK(row.contains(key));
     }
     CHECK(row["met"].is_boolean());
