@@ -216,14 +216,14 @@ inline constexpr double kScoreSoonGone = -10.9 * kHandleSpacingPx;
 inline constexpr int kLooksAheadTurning = 3;
 inline constexpr int kLooksAheadZooming = 6;
 inline constexpr double kSoonGoneZooming = 3.5;
-/// A line inside the model does not come out to a place that is lost before the view has turned by kForesightRad or zoomed by this; while the camera comes nearer one base line of a row comes before
-/// such a chain, a switch or a choice that loses its place goes inside before it goes to such a one, and so does a line whose new place would come from behind the model, when it has an edge in view.
-/// Less: lines come out, and chains are begun, for a moment. More: lines stay inside though there is room, and rows have no chains.
+/// Logarithm of a ratio of sizes on screen. While the camera comes nearer or goes away, one base line of a row comes before a chain whose place is lost before the picture has zoomed by this; and a switch or a choice that
+/// loses its place goes inside before it goes to such a one. Less: chains are begun for a moment. More: rows have no chains.
 inline constexpr double kBriefZoom = 0.7;
-/// Of kLooksAheadZooming looks: a place outside the model that is lost at one of so many is not begun; nor is a base line inside it of which nothing is left in the picture at one of so many, when its
+/// Of kLooksAheadZooming looks: a place outside the model that is lost at one of so many is not begun, and not by a line that is inside; nor is a base line inside it of which nothing is left in the picture at one of so many, when its
 /// scope is in plain view now, and when it is not; nor is a line shown anew, while the camera goes away, whose base line is too short at one of so many. Fewer: while the camera comes nearer, lines hop from
 /// one place to another for a frame or two each, or are shown at the rim, or while they shrink, for their last moments. More: lines are inside though there is room, and features in view have no line.
 inline constexpr std::size_t kLooksAtLastMoments = 1;
+inline constexpr std::size_t kLooksAtLastMomentsComingOut = 3;
 inline constexpr std::size_t kLooksAtLastMomentsInside = 2;
 inline constexpr std::size_t kLooksAtLastMomentsPartlySeen = 4;
 inline constexpr std::size_t kLooksAtLastMomentsShort = 3;

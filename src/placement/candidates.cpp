@@ -154,12 +154,11 @@ void keep(const CandidateContext& context, const UsableBaseLine& base, Candidate
         context.foresight.prospect({base.line, context.annotation.slip, candidate.plane, identity.direction, candidate.offsetM, candidate.line,
                                     chain ? 0.0 : context.leastPx, chain ? Vec2(0.0) : context.textSize});
     // No place is begun for its last moments, and a line inside the model does not come out for a moment.
-    if (isShownAnewInVain(context, prospect) || prospect.lastMoments || (prospect.brief && (context.history.wasInside() || (context.lasting && context.foresight.zooms())))) return;
-    const bool behind = !chain && isBehindModel(context, base);
-    if (behind && prospect.brief && context.seenInside) return;
+    const bool tooBrief = prospect.lastMoments || (prospect.outInVain && context.history.wasInside()) || (prospect.brief && context.lasting && context.foresight.zooms());
+    if (isShownAnewInVain(context, prospect) || tooBrief) return;
     candidate.score += prospect.price;
     if (!chain && isFading(context, candidate.scope)) candidate.score += kScoreFadingScope;
-    if (behind) candidate.score += kScoreFromBehindModel;
+    if (!chain && isBehindModel(context, base)) candidate.score += kScoreFromBehindModel;
   }
   candidates.push_back(candidate);
 }

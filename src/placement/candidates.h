@@ -89,7 +89,6 @@ struct CandidateContext {
   std::span<const Sight> sights = {};  ///< one a scope: how much of it is seen
   Vec2 textSize{0.0};                  ///< px, of a line's label
   FrameKind kind = {};                 ///< where it rests, a place that is there already costs what a new one would; where lines settle, it counts what their extension lines come from and run over
-  bool seenInside = false;             ///< a base line that is seen can stand for itself, so no new place that comes from behind the model is taken for a moment only
 };
 
 /// The least length on screen at which a line of this annotation is shown.

@@ -4,7 +4,6 @@
 #include <limits>
 #include <tuple>
 
-#include "placement/on_screen.h"
 
 namespace dimline {
 
@@ -59,11 +58,7 @@ Chooser::Outside Chooser::chooseOutside(const Measured& measured, const Candidat
   const bool singleStays = chained && history.last().chain < 0 && history.last().plane >= 0 && history.framesHeld() < framesForSingle(context);
   const auto chooseSingle = [&] {
     if (chained) gatherBases(measured, context, thresholdFactor(measured, context), Enough::kAll);
-    CandidateContext among = candidates;
-    among.seenInside = context.foresight.nears() && std::ranges::any_of(bases_, [&](const UsableBaseLine& base) {
-      return isWhole(base.screen, context.view) && !isBehindModel(candidates, base) && !context.occupied.landed().runsInto(base.screen);
-    });
-    return choose(bases_, among);
+    return choose(bases_, candidates);
   };
   if (singleStays && chooseSingle()) return outside;
   // From near by the chains of a row leave the picture one soon after the other, so one of its base lines comes before a chain that would be gone at once.

@@ -118,10 +118,12 @@ Foresight::Prospect Foresight::prospect(const Place& place) {
   const std::size_t gone = place.leastPx > 0 ? firstLookWithout(place.base.segment, place.leastPx) : lookCount_;
   const std::size_t lost = std::min(cramped, gone);
   const std::size_t turned = firstLook([&](const Look& look) { return turnedAway(place.base, look.view, kTurnedAwaySin); });
+  const bool brief = std::min(cramped, turned) < briefCount_;
   return {.price = lossPrice_ * std::max(shareLeft(lost), kTurnedAwayShare * shareLeft(turned)),
-          .brief = std::min(cramped, turned) < briefCount_,
+          .brief = brief,
           .shortSoon = isShortSoon(gone),
-          .lastMoments = zooms() && cramped < kLooksAtLastMoments};
+          .outInVain = zooms() ? isLostAtOneOf(kLooksAtLastMomentsComingOut, cramped) : brief,
+          .lastMoments = isLostAtOneOf(kLooksAtLastMoments, cramped)};
 }
 
 /// Whether the plane has room for the line then, and the viewport for it and its label. handleSpacing is less in the world when the camera has come nearer, so the line will lie nearer to the model by that.
@@ -143,7 +145,7 @@ Foresight::Prospect Foresight::prospectInside(const Segment& base, bool plain, d
   const std::size_t gone = firstLookWithout(base, leastPx);
   return {.price = lossPrice_ * shareLeft(gone),
           .shortSoon = isShortSoon(gone),
-          .lastMoments = zooms() && firstLookWithout(base, 0) < (plain ? kLooksAtLastMomentsInside : kLooksAtLastMomentsPartlySeen)};
+          .lastMoments = isLostAtOneOf(plain ? kLooksAtLastMomentsInside : kLooksAtLastMomentsPartlySeen, firstLookWithout(base, 0))};
 }
 
 }  // namespace dimline

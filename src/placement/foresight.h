@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <vector>
 
@@ -35,6 +36,7 @@ class Foresight {
     double price = 0;          ///< px, to be added to the place's score
     bool brief = false;        ///< outside the model: it has no room any more, or its feature has turned away, before the view has turned by kForesightRad or zoomed by kBriefZoom
     bool shortSoon = false;    ///< while the camera goes away: it is too short to be shown so soon that it is not worth being shown anew (kLooksAtLastMomentsShort)
+    bool outInVain = false;    ///< no place for a line inside the model to come out to, since it would soon be back: a brief one while the view turns; else one without room so soon that kLooksAtLastMomentsComingOut tell it
     bool lastMoments = false;  ///< while the camera comes nearer or goes away: there is room for it so briefly that it is not worth being begun (kLooksAtLastMoments)
   };
   /// At how many views ahead a place is looked at, and these, the nearest first.
@@ -63,7 +65,9 @@ class Foresight {
   template <typename Lost>
   [[nodiscard]] std::size_t firstLook(Lost lost) const;
   [[nodiscard]] std::size_t firstLookWithout(const Segment& base, double leastPx) const;
-  [[nodiscard]] bool isShortSoon(std::size_t gone) const { return zooms() && !nears_ && gone < kLooksAtLastMomentsShort; }
+  /// Whether what is lost at that look, or at none, is lost at one of the first `count` looks of a zoom. A quick one has fewer in all.
+  [[nodiscard]] bool isLostAtOneOf(std::size_t count, std::size_t look) const { return zooms() && look < std::min(count, lookCount_); }
+  [[nodiscard]] bool isShortSoon(std::size_t gone) const { return !nears_ && isLostAtOneOf(kLooksAtLastMomentsShort, gone); }
 
   std::vector<Look> looks_;         ///< the nearest first; memory for more than there are
   std::size_t lookCount_ = 0;       ///< none when no movement is thought to go on

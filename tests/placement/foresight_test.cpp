@@ -208,6 +208,15 @@ TEST_CASE("outside the model, what is lost at the next look is in its last momen
   CHECK_FALSE(prospectOutside(turnedBy(0), turnedBy(1), {{0, 1, -29}, {0, 2, -29}}).lastMoments);
 }
 
+TEST_CASE("a line inside the model comes out in vain where it has no room any more at one of the first looks, or soon in a turn") {
+  // To the right of the middle 4.05 m are seen at the first look, then 3.645, 3.28 and 2.95 m.
+  CHECK(prospectOutside(seeing(10), seeing(9), rightBy(3.29)).outInVain);
+  CHECK_FALSE(prospectOutside(seeing(10), seeing(9), rightBy(3.1)).outInVain);
+  CHECK_FALSE(prospectOutside(seeing(9), seeing(9), rightBy(4.06)).outInVain);
+  CHECK(prospectOutside(turnedBy(0), turnedBy(1), {{0, 1, -14.6}, {0, 2, -14.6}}).outInVain);
+  CHECK_FALSE(prospectOutside(turnedBy(0), turnedBy(1), {{0, 1, -14.3}, {0, 2, -14.3}}).outInVain);
+}
+
 TEST_CASE("inside the model, what leaves the picture at the first looks is in its last moments, and what is cut off already at later ones") {
   Foresight foresight;
   foresight.begin(seeing(10), seeing(9), boxBounds(), {}, 1e-3);
@@ -219,6 +228,13 @@ TEST_CASE("inside the model, what leaves the picture at the first looks is in it
   }
   CHECK(foresight.prospectInside(rightBy(3.63), false, 0).lastMoments);
   CHECK_FALSE(foresight.prospectInside(rightBy(3.63), true, 0).lastMoments);
+  // So quick a zoom is looked ahead of once, where 0.9 m are seen.
+  foresight.begin(seeing(20), seeing(6), boxBounds(), {}, 1e-3);
+  REQUIRE(foresight.lookCount() == 1);
+  for (const bool whole : {true, false}) {
+    CHECK_FALSE(foresight.prospectInside(rightBy(0.8), whole, 0).lastMoments);
+    CHECK(foresight.prospectInside(rightBy(1.0), whole, 0).lastMoments);
+  }
   // Not while the camera turns.
   foresight.begin(turnedBy(0), turnedBy(1), boxBounds(), {}, 1e-3);
   CHECK_FALSE(foresight.prospectInside(rightBy(5.1), true, 0).lastMoments);
