@@ -216,6 +216,8 @@ inline constexpr double kScoreSoonGone = -10.9 * kHandleSpacingPx;
 inline constexpr int kLooksAheadTurning = 3;
 inline constexpr int kLooksAheadZooming = 6;
 inline constexpr double kSoonGoneZooming = 3.5;
+/// A parameter with more base lines has none between parts of the model. Fewer: more of them are on the model. More: it takes longer.
+inline constexpr std::size_t kMostBaseLinesInGaps = 8;
 /// Logarithm of a ratio of sizes on screen. While the camera comes nearer or goes away, one base line of a row comes before a chain whose place is lost before the picture has zoomed by this; and a switch or a choice that
 /// loses its place goes inside before it goes to such a one. Less: chains are begun for a moment. More: rows have no chains.
 inline constexpr double kBriefZoom = 0.7;

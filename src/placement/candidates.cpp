@@ -163,6 +163,23 @@ void keep(const CandidateContext& context, const UsableBaseLine& base, Candidate
   candidates.push_back(candidate);
 }
 
+/// Keeps the candidate outside at the least offset at which it may lie or, when it is the last frame's choice, where it was as well.
+void keepOutside(const CandidateContext& context, const UsableBaseLine& base, Candidate& candidate, const Slide& slide, double leastM, std::vector<Candidate>& candidates) {
+  candidate.placement = PlacementKind::kOutside;
+  candidate.leastM = leastM;
+  if (candidate.identity == context.history.last()) {
+    const double stepM = context.viewMoved ? metresAt(candidate, kRelaxPx, context.view) : 0.0;
+    const double relaxedM = std::min(context.history.relaxedOffsetM(leastM, stepM), candidate.mostM);
+    if (relaxedM > leastM && placeAt(candidate, slide, relaxedM, context.view)) {
+      candidate.hasSecondOffset = true;
+      keep(context, base, candidate, slide, candidates);
+      candidate.hasSecondOffset = false;
+      candidate.secondOffset = true;
+    }
+  }
+  if (placeAt(candidate, slide, leastM, context.view)) keep(context, base, candidate, slide, candidates);
+}
+
 /// The way on screen of what moves in the world; nothing when part of it is not in front of the near plane.
 std::optional<Vec2> wayOnScreen(const Vec3& from, const Vec3& move, const View& view) {
   const Segment way{from, from + move};
@@ -296,21 +313,20 @@ void gatherOutsideCandidates(const CandidateContext& context, const UsableBaseLi
     candidate.mostM = mostInViewM(context, candidate);
     if (!slide || candidate.mostM < 0) return;
     // What clears at the least offset clears at every greater one, so a plane whose part begins further out is used from there.
-    double offsetM = std::max(leastClearingOffset(context.padded, *slide, candidate.mostM), leastRoomM(candidate));
-    if (offsetM > candidate.mostM) return;
-    candidate.placement = PlacementKind::kOutside;
-    candidate.leastM = offsetM;
-    if (candidate.identity == context.history.last()) {
-      const double stepM = context.viewMoved ? metresAt(candidate, kRelaxPx, context.view) : 0.0;
-      const double relaxedM = std::min(context.history.relaxedOffsetM(offsetM, stepM), candidate.mostM);
-      if (relaxedM > offsetM && placeAt(candidate, *slide, relaxedM, context.view)) {
-        candidate.hasSecondOffset = true;
-        keep(context, base, candidate, *slide, candidates);
-        candidate.hasSecondOffset = false;
-        candidate.secondOffset = true;
-      }
-    }
-    if (placeAt(candidate, *slide, offsetM, context.view)) keep(context, base, candidate, *slide, candidates);
+    const double offsetM = std::max(leastClearingOffset(context.padded, *slide, candidate.mostM), leastRoomM(candidate));
+    if (offsetM <= candidate.mostM) keepOutside(context, base, candidate, *slide, offsetM, candidates);
+  });
+}
+
+void gatherGapCandidates(const CandidateContext& context, const UsableBaseLine& base, std::vector<Candidate>& candidates) {
+  if (base.cluster >= 0) return;
+  forEachSlip(context, base, [&](Candidate& candidate) {
+    const auto slide = Slide::make(context.view, candidate.foot, candidate.outward);
+    if (!slide) return;
+    const auto gap = nearestGap(context.padded, *slide, std::max(leastRoomM(candidate), 0.0), mostInViewM(context, candidate));
+    if (!gap) return;
+    candidate.mostM = gap->toM;
+    keepOutside(context, base, candidate, *slide, gap->fromM, candidates);
   });
 }
 

@@ -117,6 +117,9 @@ void gatherGuideCandidates(const CandidateContext& context, const UsableBaseLine
 /// within the viewport's margin and, beyond the paper, within reach of the base line (kMostReachShare). The last frame's choice may have a second offset besides (Candidate::secondOffset).
 void gatherOutsideCandidates(const CandidateContext& context, const UsableBaseLine& base, std::vector<Candidate>& candidates);
 
+/// Adds the candidates of a base line between two parts of the model (nearestGap), as between two trees: for a line that has no room outside all of it. None of a chain. Beyond the paper.
+void gatherGapCandidates(const CandidateContext& context, const UsableBaseLine& base, std::vector<Candidate>& candidates);
+
 /// Adds the last frame's choice (`only`) on the carrier of a line that is in the hand, whatever is there.
 void gatherInHand(const CandidateContext& context, const UsableBaseLine& base, const Segment& inHand, std::vector<Candidate>& candidates);
 

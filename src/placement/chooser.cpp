@@ -118,10 +118,11 @@ bool Chooser::chooseAgain(const Measured& measured, const CandidateContext& cand
   return std::ranges::none_of(winnerLines_, [&](const ChosenLine& line) { return context.occupied.landed().runsInto(line.lineScreen); });
 }
 
-/// The best candidate on a guide or, when there is none, outside the silhouette.
+/// The best candidate on a guide or, when there is none, outside the silhouette, and then between parts of it.
 bool Chooser::chooseOutside(std::span<const UsableBaseLine> bases, const Measured& measured, const CandidateContext& candidates,
                             const ChoiceContext& context) {
-  for (const auto gather : {gatherGuideCandidates, gatherOutsideCandidates}) {
+  for (const auto gather : {gatherGuideCandidates, gatherOutsideCandidates, gatherGapCandidates}) {
+    if (gather == gatherGapCandidates && bases.size() > kMostBaseLinesInGaps) break;
     candidates_.clear();
     for (const UsableBaseLine& base : bases) gather(candidates, base, candidates_);
     ranked_.clear();

@@ -348,6 +348,40 @@ TEST_CASE("no line outside the model runs across one that stays on its base line
   }
 }
 
+TEST_CASE("a line that has no room outside all of the model stands between two parts of it") {
+  ModelDefinition definition = boxWithDoor();
+  definition.name = "towers";
+  definition.parameters.resize(1);
+  definition.parameters[0].annotation = "@Handle(scope=Window, type=linear-contour, orient=up, slip=scope)";
+  double apartM = 1;
+  definition.build = [&](const Values&) {
+    return sceneOf({{"Left", boxAt({-4, -6, -1}, {4 - apartM / 2, 12, 1})},
+                    {"Right", boxAt({apartM / 2, -6, -1}, {4 - apartM / 2, 12, 1})},
+                    {"Window", boxAt({-apartM / 2 - 0.6, -0.5, 0}, {0.5, 1, 0.02})}});
+  };
+  SECTION("where there is room for it") {
+    // 250 px a metre: the towers fill the picture but for the columns from 375 to 625.
+    Stage stage(definition);
+    stage.look(straightAt(0, 4));
+    REQUIRE(stage.layout.lines.size() == 1);
+    const PlacedLine& line = stage.layout.lines[0];
+    CHECK(line.placement == PlacementKind::kOutside);
+    CHECK(line.lineScreen.middle().x >= 375 + kHandleSpacingPx - 0.5);
+    CHECK(line.lineScreen.middle().x <= 625 - kHandleSpacingPx);
+    // What a still camera shows never moves.
+    const Segment2 before = line.lineScreen;
+    stage.look(straightAt(0, 4));
+    CHECK(stage.layout.lines[0].lineScreen.start == before.start);
+  }
+  SECTION("but not where there is hardly any") {
+    apartM = 0.26;   // 65 px, of which 5 are left
+    Stage stage(definition);
+    stage.look(straightAt(0, 4));
+    REQUIRE(stage.layout.lines.size() == 1);
+    CHECK(stage.layout.lines[0].placement == PlacementKind::kInside);
+  }
+}
+
 TEST_CASE("inside the model, a line comes out to an object plane when it has had room there for a while, to its scope's plane at once") {
   const auto block = [](const char* slip) {
     ModelDefinition definition = boxWithDoor();

@@ -149,6 +149,83 @@ TEST_CASE("a plane that is blocked as far as its horizon gives no place") {
   REQUIRE(leastClearingOffset(top, ViewportEdge::kTop, fields, away) == kInfinity);
 }
 
+TEST_CASE("between two blocks a line has a gap, seen from one of the viewport edges beside its way") {
+  FrontView f;
+  const auto block = [&](ViewportEdge edge, std::size_t first, std::size_t end, float value) {
+    for (std::size_t row = first; row < end; ++row) f.fields[edge].edit()[row] = value;
+  };
+  // Blocked from both sides from the upper viewport edge to y = 11, and from y = 25 on.
+  for (const ViewportEdge edge : {ViewportEdge::kLeft, ViewportEdge::kRight}) {
+    block(edge, 0, 11, 30);
+    block(edge, 25, 80, 30);
+  }
+  f.build();
+  const auto gap = nearestGap(f.fields, f.up, 0, 5);
+  REQUIRE(gap);
+  CHECK(gap->fromM == Approx(2.5).margin(0.01));
+  CHECK(gap->toM <= 3.9);
+  CHECK(gap->toM > 3.5);
+  SECTION("it begins at the same offset for who may not go so far") {
+    const auto nearer = nearestGap(f.fields, f.up, 0, 3.7);
+    REQUIRE(nearer);
+    CHECK(nearer->fromM == gap->fromM);
+    CHECK(nearer->toM <= 3.7);
+    CHECK_FALSE(nearestGap(f.fields, f.up, 0, 2.7));
+  }
+  SECTION("or at the least offset that is asked for") {
+    const auto further = nearestGap(f.fields, f.up, 2.75, 5);
+    REQUIRE(further);
+    CHECK(further->fromM == 2.75);
+    CHECK_FALSE(nearestGap(f.fields, f.up, 3.8, 5));
+  }
+  SECTION("one edge is enough, the two that the line comes from and goes to are not asked") {
+    block(ViewportEdge::kLeft, 0, 80, 30);
+    f.build();
+    const auto fromTheRight = nearestGap(f.fields, f.up, 0, 5);
+    REQUIRE(fromTheRight);
+    CHECK(fromTheRight->fromM == gap->fromM);
+    block(ViewportEdge::kRight, 0, 80, 30);
+    f.build();
+    CHECK_FALSE(nearestGap(f.fields, f.up, 0, 5));
+  }
+  SECTION("narrow ones are passed by") {
+    for (const ViewportEdge edge : {ViewportEdge::kLeft, ViewportEdge::kRight}) block(edge, 18, 25, 30);
+    f.build();
+    CHECK_FALSE(nearestGap(f.fields, f.up, 0, 5));
+  }
+  SECTION("what may go on without end is looked for nowhere") { CHECK_FALSE(nearestGap(f.fields, f.up, 0, kInfinity)); }
+}
+
+TEST_CASE("a gap on a floor that runs away from the viewer lies where it is clear") {
+  Camera camera;
+  camera.eye = {0, 2, 0};
+  camera.target = {0, 1, -10};
+  Bounds bounds;
+  bounds.add({-50, 0, -100});
+  bounds.add({50, 5, -1});
+  const View view(camera, 400, 400, bounds);
+  const auto away = Slide::make(view, {{-1, 0, -6}, {1, 0, -6}}, {0, 0, -1});
+  REQUIRE(away);
+  DistanceFields fields;
+  fields.reset(400, 400);
+  for (const ViewportEdge edge : {ViewportEdge::kLeft, ViewportEdge::kRight}) {
+    for (std::size_t row = 0; row < 400; ++row) fields[edge].edit()[row] = row >= 190 && row < 210 ? kNoSilhouette : 50;
+  }
+  fields.buildTrees();
+  REQUIRE(view.toScreen({0, 0, -6}).y > 210);
+  REQUIRE(view.toScreen({0, 0, -90}).y < 190);
+  const auto gap = nearestGap(fields, *away, 0, 84);
+  REQUIRE(gap);
+  CHECK(view.toScreen(away->at(gap->fromM).middle()).y == Approx(210).margin(0.2));
+  const double endY = view.toScreen(away->at(gap->toM).middle()).y;
+  CHECK(endY >= 190);
+  CHECK(endY < 194);
+  // Towards the viewer it never gets past him, however far it may go.
+  const auto nearer = Slide::make(view, {{-1, 0, -6}, {1, 0, -6}}, {0, 0, 1});
+  REQUIRE(nearer);
+  CHECK_FALSE(nearestGap(fields, *nearer, 0, 1000));
+}
+
 TEST_CASE("what cannot slide is none") {
   const View view = orthographicView(10, 100, 100);
   const Segment base{{-1, 0, 0}, {1, 0, 0}};
