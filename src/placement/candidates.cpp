@@ -7,6 +7,7 @@
 
 #include "placement/on_screen.h"
 #include "placement/score.h"
+#include "silhouette/gap.h"
 #include "silhouette/slide.h"
 
 namespace dimline {

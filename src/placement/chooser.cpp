@@ -121,16 +121,15 @@ bool Chooser::chooseAgain(const Measured& measured, const CandidateContext& cand
 /// The best candidate on a guide or, when there is none, outside the silhouette, and then between parts of it.
 bool Chooser::chooseOutside(std::span<const UsableBaseLine> bases, const Measured& measured, const CandidateContext& candidates,
                             const ChoiceContext& context) {
-  for (const auto gather : {gatherGuideCandidates, gatherOutsideCandidates, gatherGapCandidates}) {
-    if (gather == gatherGapCandidates && bases.size() > kMostBaseLinesInGaps) break;
+  const auto chooseAmong = [&](decltype(&gatherOutsideCandidates) gather) {
     candidates_.clear();
     for (const UsableBaseLine& base : bases) gather(candidates, base, candidates_);
     ranked_.clear();
     for (const Candidate& candidate : candidates_) ranked_.push_back({-candidate.score, static_cast<std::uint32_t>(ranked_.size())});
     sortKeys(ranked_);
-    if (chooseBest(measured, context, candidates.history)) return true;
-  }
-  return false;
+    return chooseBest(measured, context, candidates.history);
+  };
+  return chooseAmong(gatherGuideCandidates) || chooseAmong(gatherOutsideCandidates) || (bases.size() <= kMostBaseLinesInGaps && chooseAmong(gatherGapCandidates));
 }
 
 /// computeWinner. Crossings and labels are dear, so they are looked at only for candidates that could still win: crossings only lower a

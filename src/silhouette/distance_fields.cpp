@@ -190,4 +190,9 @@ bool clears(const DistanceFields& fields, ViewportEdge edge, const Segment2& seg
   return SegmentTest(fields[edge], seenFrom(edge, fields, segment.start), seenFrom(edge, fields, segment.end)).clear();
 }
 
+bool isBlocked(const DistanceFields& fields, ViewportEdge edge, const Vec2& p) {
+  const EdgePoint seen = seenFrom(edge, fields, p);
+  return seen.away > fields[edge].at(std::min(static_cast<std::size_t>(seen.along), fields[edge].size() - 1));
+}
+
 }  // namespace dimline

@@ -106,6 +106,9 @@ void pullIn(DistanceFields& fields, const Box2& box, double radiusPx);
 /// that edge's field.
 bool clears(const DistanceFields& fields, const Box2& box);
 
+/// Whether what a field sees from its viewport edge lies before a point of the viewport.
+bool isBlocked(const DistanceFields& fields, ViewportEdge edge, const Vec2& p);
+
 /// Whether a segment on screen lies in the viewport and between that edge and its field all along.
 bool clears(const DistanceFields& fields, ViewportEdge edge, const Segment2& segment);
 

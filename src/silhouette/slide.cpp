@@ -18,8 +18,6 @@
 
 #include "silhouette/slide.h"
 
-#include <algorithm>
-#include <array>
 #include <cassert>
 #include <cmath>
 
@@ -436,7 +434,7 @@ private:
 /// lines.
 std::optional<Vec2> pointBeyond(const DistanceFields& fields, const Slide& slide, double offsetM) {
   constexpr double kStepPx = 2;
-  const Vec3 middle = slide.originPixel() + slide.pixelPerU() * 0.5 + slide.pixelPerT() * offsetM;
+  const Vec3 middle = slide.middlePixel(offsetM);
   if (!(middle.z > 0)) return std::nullopt;
   const Vec2 from = Vec2(middle.x, middle.y) / middle.z;
   const Vec2 way = Vec2(slide.pixelPerT().x, slide.pixelPerT().y) - from * slide.pixelPerT().z;
@@ -460,17 +458,6 @@ Vec2 onScreen(const DistanceFields& fields, ViewportEdge edge, double away, doub
       return {along, fields.heightPx - away};
   }
   return {};
-}
-
-/// Whether a field blocks a point of the viewport.
-bool blocks(const DistanceFields& fields, ViewportEdge edge, const Vec2& p) {
-  const bool rows = edge == ViewportEdge::kLeft || edge == ViewportEdge::kRight;
-  const double along = rows ? p.y : p.x;
-  const double across = rows ? p.x : p.y;
-  const bool fromHigh = edge == ViewportEdge::kRight || edge == ViewportEdge::kBottom;
-  const double away = fromHigh ? fields.extentPx(edge) - across : across;
-  const std::size_t last = fields[edge].size() - 1;
-  return away > fields[edge].at(std::min(static_cast<std::size_t>(along), last));
 }
 
 }  // namespace
@@ -511,7 +498,7 @@ double leastClearingOffset(const DistanceField& field, ViewportEdge edge, const 
 
 double leastClearingOffset(const DistanceFields& fields, const Slide& slide, double uselessAboveM) {
   // The field that the line sets off towards most often has the answer.
-  const Vec3 middle = slide.originPixel() + slide.pixelPerU() * 0.5;
+  const Vec3 middle = slide.middlePixel(0);
   const Vec3& perT = slide.pixelPerT();
   const Vec2 way(perT.x * middle.z - middle.x * perT.z, perT.y * middle.z - middle.y * perT.z);
   const ViewportEdge alongX = way.x < 0 ? ViewportEdge::kLeft : ViewportEdge::kRight;
@@ -523,7 +510,7 @@ double leastClearingOffset(const DistanceFields& fields, const Slide& slide, dou
   std::optional<Vec2> contact;
   for (const ViewportEdge edge : {xFirst ? alongX : alongY, xFirst ? alongY : alongX,
                                   opposite(xFirst ? alongY : alongX), opposite(xFirst ? alongX : alongY)}) {
-    if (probe && blocks(fields, edge, *probe)) continue;
+    if (probe && isBlocked(fields, edge, *probe)) continue;
     const double boundM = std::min(least, uselessAboveM);
     Search search(fields[edge], edge, fields, slide, boundM);
     const double offsetM = search.run(contact);
@@ -534,86 +521,6 @@ double leastClearingOffset(const DistanceFields& fields, const Slide& slide, dou
     probe = pointBeyond(fields, slide, least);
   }
   return least;
-}
-
-namespace {
-
-/// Steps (px) in which gaps are looked for, and at how many on end there must be room. Fewer: lines come and go where a
-/// gap opens. More: lines are on the model though there is room beside what they measure.
-constexpr double kGapStepPx = 4.0;
-constexpr int kLeastGapSteps = 3;
-/// Halvings of a step in which a gap begins: to a small part of a pixel.
-constexpr int kGapHalvings = 6;
-
-/// The slid line on screen; nothing when an end of it is not in front of the viewer.
-std::optional<Segment2> screenAt(const Slide& slide, double tM) {
-  const Vec3 start = slide.originPixel() + slide.pixelPerT() * tM;
-  const Vec3 end = start + slide.pixelPerU();
-  if (!(start.z > 0) || !(end.z > 0)) return std::nullopt;
-  return Segment2{Vec2(start) / start.z, Vec2(end) / end.z};
-}
-
-/// The way of the slid line's middle on screen, from an offset on: that point appears at a homogeneous pixel that is
-/// linear in the offset, and so at a distance from where it began that is a fraction of two linear forms.
-class WayOnScreen {
-public:
-  WayOnScreen(const Slide& slide, double fromM) : fromM_(fromM) {
-    const Vec3 middle = slide.originPixel() + slide.pixelPerU() * 0.5 + slide.pixelPerT() * fromM;
-    depth_ = middle.z;
-    depthPerM_ = slide.pixelPerT().z;
-    pixelsPerM_ = Vec2(slide.pixelPerT()) - Vec2(middle) / middle.z * depthPerM_;
-  }
-  [[nodiscard]] bool alongX() const { return std::abs(pixelsPerM_.x) > std::abs(pixelsPerM_.y); }
-  /// The offset at which it has gone so many pixels; infinite when it never has.
-  [[nodiscard]] double offsetAfter(double px) const {
-    const double perM = glm::length(pixelsPerM_) - px * depthPerM_;
-    return perM > 0 ? fromM_ + px * depth_ / perM : kInfinity;
-  }
-
-private:
-  double fromM_, depth_, depthPerM_;
-  Vec2 pixelsPerM_;
-};
-
-}  // namespace
-
-std::optional<Gap> nearestGap(const DistanceFields& fields, const Slide& slide, double lowM, double mostM) {
-  if (!(lowM <= mostM) || !std::isfinite(mostM) || !screenAt(slide, lowM)) return std::nullopt;
-  const WayOnScreen way(slide, lowM);
-  const std::array<ViewportEdge, 2> edges{way.alongX() ? ViewportEdge::kTop : ViewportEdge::kLeft,
-                                          way.alongX() ? ViewportEdge::kBottom : ViewportEdge::kRight};
-  const Box2 viewport{Vec2(0.0), Vec2(fields.widthPx, fields.heightPx)};
-  const auto isClear = [&](double tM) {
-    const auto line = screenAt(slide, tM);
-    if (!line || !viewport.contains(line->middle())) return false;
-    // Of most lines the middle tells at once.
-    return std::ranges::any_of(edges, [&](ViewportEdge edge) {
-      return !blocks(fields, edge, line->middle()) && clears(fields, edge, *line);
-    });
-  };
-  // The steps do not depend on how far they lead, so that a gap begins at the same offset for whoever may go further.
-  int clearSteps = 0;
-  Gap gap{};
-  double beforeM = lowM;
-  double tM = lowM;
-  const double mostPx = 2.0 * (fields.widthPx + fields.heightPx);
-  for (double px = 0; tM <= mostM && px <= mostPx; px += kGapStepPx, tM = way.offsetAfter(px)) {
-    if (isClear(tM)) {
-      gap.toM = tM;
-      if (++clearSteps == 1) {
-        gap.fromM = tM;
-        for (int i = 0; i < kGapHalvings; ++i) {
-          const double middleM = 0.5 * (beforeM + gap.fromM);
-          (isClear(middleM) ? gap.fromM : beforeM) = middleM;
-        }
-      }
-    } else {
-      if (clearSteps >= kLeastGapSteps) break;
-      clearSteps = 0;
-    }
-    beforeM = tM;
-  }
-  return clearSteps >= kLeastGapSteps ? std::optional(gap) : std::nullopt;
 }
 
 }  // namespace dimline

@@ -37,6 +37,13 @@ inline ModelDefinition stageDefinition() {
   return definition;
 }
 
+/// Their numbers, but for the last.
+inline constexpr std::size_t kA = 0, kB = 1, kC = 2, kD = 3;
+
+/// Segments on screen, in pixels.
+inline Segment2 vertical(double x, double y0 = 250, double y1 = 150) { return {{x, y0}, {x, y1}}; }
+inline Segment2 level(double y, double x0 = 150, double x1 = 250) { return {{x0, y}, {x1, y}}; }
+
 /// One frame on the stage. The model is a block of 2 m (200 px) in the middle unless the test says otherwise.
 struct Stage {
   Model model = *makeModel(stageDefinition());

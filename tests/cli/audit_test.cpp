@@ -2,7 +2,6 @@
 
 #include <cmath>
 
-#include "cli/audit_odds.h"
 #include "cli/audit_run.h"
 #include "cli/audit_stage.h"
 
@@ -10,11 +9,6 @@
 
 namespace dimline::test {
 namespace {
-
-constexpr std::size_t kA = 0, kB = 1, kC = 2, kD = 3;
-
-Segment2 vertical(double x, double y0 = 250, double y1 = 150) { return {{x, y0}, {x, y1}}; }
-Segment2 level(double y, double x0 = 150, double x1 = 250) { return {{x0, y}, {x1, y}}; }
 
 TEST_CASE("audit: an outside line that crosses the model") {
   Stage stage;
@@ -427,100 +421,6 @@ TEST_CASE("audit: nothing moves before a still camera") {
   second = first;
   second.add(kB, level(350));
   CHECK(offences() == 1);
-}
-
-// --- Which offences are at odds with another row ----------------------------------------------------------------------
-
-/// What one frame of a steady movement shows of parameter A.
-enum class Seen { kInsideFull, kInside, kOutside, kHiddenAway, kHidden, kCrowdedAway };
-
-/// A flight over the stage: in a frame of kInsideFull the block fills the picture and A lies on it, in one of
-/// kHiddenAway the block is beside the picture and A is hidden for that; in all others there is room round the block.
-struct OddsStage {
-  Stage stage;
-  std::vector<Layout> layouts;
-  std::vector<FrameName> names;
-
-  explicit OddsStage(const std::vector<Seen>& seen, const std::vector<int>& legs = {}) {
-    for (std::size_t f = 0; f < seen.size(); ++f) {
-      Layout layout;
-      const bool away = seen[f] == Seen::kHiddenAway || seen[f] == Seen::kCrowdedAway;
-      Camera camera;
-      camera.target = {away ? 10.0 : 0.0, 0, 0};
-      camera.eye = camera.target + Vec3{0, 0, 10};
-      camera.orthoHeightM = seen[f] == Seen::kInsideFull ? 1.5 : 4;
-      layout.view = View(camera, kStagePx, kStagePx, stage.scene.bounds);
-      layout.visibleScopes = {0};
-      if (away || seen[f] == Seen::kHidden) {
-        layout.hidden.push_back(
-            {kA, seen[f] == Seen::kHiddenAway ? HiddenReason::kOutOfView : HiddenReason::kCrowded});
-      } else {
-        stage.layout.lines.clear();
-        PlacedLine& line = stage.add(kA, vertical(100, 300, 100));
-        if (seen[f] != Seen::kOutside) {
-          line.placement = PlacementKind::kInside;
-          line.planeKind = PlaneKind::kNone;
-        }
-        layout.lines = stage.layout.lines;
-      }
-      layouts.push_back(layout);
-      names.push_back({.frame = static_cast<int>(f), .leg = legs.empty() ? 0 : legs[f]});
-    }
-  }
-  Odds odds() { return {stage.model, stage.scene, layouts, names}; }
-};
-
-/// `count` frames of the one between two of the other.
-std::vector<Seen> between(Seen ends, Seen middle, std::size_t count) {
-  std::vector<Seen> seen(count + 2, middle);
-  seen.front() = seen.back() = ends;
-  return seen;
-}
-
-TEST_CASE("audit: room that is gone at once is at odds with changes that are taken back") {
-  const auto brief = [](const std::vector<Seen>& seen, const std::vector<int>& legs = {}) {
-    return OddsStage(seen, legs).odds().hasBriefRoom(kA, 2);
-  };
-  CHECK(brief(between(Seen::kInsideFull, Seen::kInside, kTakenBackFrames)));
-  CHECK_FALSE(brief(between(Seen::kInsideFull, Seen::kInside, kTakenBackFrames + 1)));
-  // It does not count as gone that the line has come out in the end.
-  auto comesOut = between(Seen::kInsideFull, Seen::kInside, kTakenBackFrames + 1);
-  comesOut[4] = Seen::kOutside;
-  CHECK_FALSE(brief(comesOut));
-  // What was there before is hidden, or the movement was another, or there is nothing before.
-  using enum Seen;
-  CHECK(brief({kInsideFull, kInside, kInside, kInsideFull}));
-  CHECK_FALSE(brief({kHiddenAway, kInside, kInside, kInsideFull}));
-  CHECK_FALSE(brief({kInsideFull, kInside, kInside, kInsideFull}, {0, 0, 0, 1}));
-  CHECK_FALSE(brief({kInside, kInside, kInside, kInsideFull}));
-}
-
-TEST_CASE("audit: a feature that is gone at once is at odds with appearances that are taken back") {
-  const auto brief = [](const std::vector<Seen>& seen) { return OddsStage(seen).odds().isBrieflyInView(kA, 2); };
-  CHECK(brief(between(Seen::kHiddenAway, Seen::kHidden, kTakenBackFrames)));
-  CHECK_FALSE(brief(between(Seen::kHiddenAway, Seen::kHidden, kTakenBackFrames + 1)));
-  CHECK_FALSE(brief(between(Seen::kOutside, Seen::kHidden, 3)));
-}
-
-TEST_CASE("audit: a change that is taken back had to be, or had not") {
-  using enum Seen;
-  const auto had = [](const std::vector<Seen>& seen) {
-    return OddsStage(seen).odds().hadToGoBack(kA, 1, seen.size() - 1);
-  };
-  // Comes out where there is room, and goes in where there is none.
-  CHECK(had({kInsideFull, kOutside, kOutside, kInsideFull}));
-  CHECK_FALSE(had({kInsideFull, kOutside, kOutside, kInside}));
-  // Goes in where there is no room, and comes out again.
-  CHECK(had({kOutside, kInsideFull, kInsideFull, kOutside}));
-  CHECK_FALSE(had({kOutside, kInside, kInside, kOutside}));
-  // From one place outside to another nothing had to go.
-  CHECK_FALSE(had({kOutside, kOutside, kOutside}));
-  // Is shown while its feature is in view, and hidden while it is not.
-  CHECK(had({kHiddenAway, kOutside, kOutside, kHiddenAway}));
-  CHECK_FALSE(had({kHiddenAway, kOutside, kOutside, kHidden}));
-  CHECK_FALSE(had({kHiddenAway, kOutside, kOutside, kCrowdedAway}));
-  CHECK(had({kOutside, kHiddenAway, kHiddenAway, kOutside}));
-  CHECK_FALSE(had({kOutside, kHidden, kHidden, kOutside}));
 }
 
 // --- The whole audit --------------------------------------------------------------------------------------------------

@@ -5,6 +5,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "silhouette/gap.h"
 #include "support/random.h"
 
 namespace dimline {
