@@ -197,9 +197,14 @@ inline constexpr int kFramesToLookAround = 3;
 inline constexpr int kPatienceFrames = 15;
 /// The same for any line that had no room, or gave way, in a small viewport, where room is what others leave for the moment. Fewer: lines come back to be gone again. More: fewer lines are shown until the movement ends.
 inline constexpr int kPatienceSmallViewportFrames = 30;
-/// Moved frames for which a line inside the model that is not in plain view stays where it has come, though it runs across another's extension line: more than a change that is taken back lasts. Fewer: some are shown
-/// for a moment only. More: they run across extension lines for longer.
-inline constexpr int kPartlySeenStaysFrames = 16;
+/// Moved frames for which what has come stays, though it would not come now: as a line of kDwellLengthShare of the least length, or inside the model across another's extension line where it is not in plain view; and for
+/// which a line that has gone waits for a place that lasts, unless its feature is in plain view. More than a change that is taken back lasts. Fewer: some are shown, or missing, for a moment only. More: they are short, or run
+/// across extension lines, for longer, and what comes into sight again is late.
+inline constexpr int kDwellFrames = 16;
+inline constexpr double kDwellLengthShare = 0.5;
+/// Moved frames on end without any line across another's extension line, after which a line inside the model may come out to run across one, in a zoom and not in plain view. Fewer: crowded pictures have more such lines.
+/// More: lines are inside though there is room.
+inline constexpr int kCalmFrames = 60;
 
 /// rad. A frame in which the view turns by more counts as several for how long a scope has been in sight, so that a quick turn drops what it hides at once.
 inline constexpr double kFrameTurnRad = 0.0174;

@@ -21,12 +21,15 @@ bool Chooser::choose(const Measured& measured, const ChoiceContext& context, His
   // A chain moves as a whole, so of its members' base lines it is enough to know that there is one, unless they have to stand for themselves.
   const bool chained = !measured.clusters.empty();
   const auto enough = chained ? Enough::kOne : Enough::kAll;
-  const double factor = thresholdFactor(measured, context);
-  if (history.hidden() && !gatherBases(measured, context, kShowAgainFactor * factor, Enough::kOne)) return false;
-  if (!gatherBases(measured, context, factor, enough)) return false;
+  const auto hasBases = [&](double factor, Enough wanted) {
+    factor_ = factor * thresholdFactor(measured, context);
+    return gatherBases(measured, context, wanted);
+  };
+  if (history.hidden() && !hasBases(kShowAgainFactor, Enough::kOne)) return false;
+  if (!hasBases(1, enough) && !(context.dwells(history) && hasBases(kDwellLengthShare, enough))) return false;
   const CandidateContext candidates{measured.annotation, context.view, context.occupied.padded(), context.occupied.paddedModel(), context.occupied.guides(),
                                     context.objectPlanes, context.viewMoved, history, context.toleranceM, slipPlanes_, context.foresight,
-                                    factor * leastLengthPx(measured.annotation), nullptr, context.avoid, false, context.showAll, context.sights, measured.textSize, context.kind};
+                                    factor_ * leastLengthPx(measured.annotation), nullptr, context.avoid, false, context.showAll, context.sights, measured.textSize, context.kind};
   if (context.inHand != nullptr && chooseInHand(measured, candidates, context)) return true;
   if (context.firm && chooseAgain(measured, candidates, context)) return true;
   chainBases_.clear();
@@ -57,7 +60,7 @@ Chooser::Outside Chooser::chooseOutside(const Measured& measured, const Candidat
   const History& history = candidates.history;
   const bool singleStays = chained && history.last().chain < 0 && history.last().plane >= 0 && history.framesHeld() < framesForSingle(context);
   const auto chooseSingle = [&] {
-    if (chained) gatherBases(measured, context, thresholdFactor(measured, context), Enough::kAll);
+    if (chained) gatherBases(measured, context, Enough::kAll);
     return choose(bases_, candidates);
   };
   if (singleStays && chooseSingle()) return outside;
@@ -70,13 +73,13 @@ Chooser::Outside Chooser::chooseOutside(const Measured& measured, const Candidat
   return outside;
 }
 
-/// The base lines that can be used, by thresholds that are `factor` times those of constants.h. False when there is none.
-bool Chooser::gatherBases(const Measured& measured, const ChoiceContext& context, double factor, Enough enough) {
+/// The base lines that can be used, by thresholds that are `factor_` times those of constants.h. False when there is none.
+bool Chooser::gatherBases(const Measured& measured, const ChoiceContext& context, Enough enough) {
   bases_.clear();
   tally_ = {};
   for (const std::size_t scope : measured.scopes) {
     if (enough == Enough::kOne && !bases_.empty()) break;
-    if (context.usable[scope] != 0) gatherBaseLines(measured.annotation, context.scopes[scope], scope, context.view, factor, bases_, tally_);
+    if (context.usable[scope] != 0) gatherBaseLines(measured.annotation, context.scopes[scope], scope, context.view, factor_, bases_, tally_);
   }
   return !bases_.empty();
 }
@@ -109,7 +112,7 @@ bool Chooser::chooseAgain(const Measured& measured, const CandidateContext& cand
   } else if (!measured.clusters.empty()) {
     // It stood for its chain long enough.
     if (candidates.history.framesHeld() >= framesForSingle(context)) return false;
-    gatherBases(measured, context, thresholdFactor(measured, context), Enough::kAll);
+    gatherBases(measured, context, Enough::kAll);
   }
   CandidateContext again = candidates;
   again.only = &last;
@@ -138,9 +141,9 @@ bool Chooser::chooseBest(const Measured& measured, const ChoiceContext& context,
   bool found = false;
   bool firstOffsetFailed = false;
   double bestScore = 0;
-  // A feature that is seen in part gets no new line that confuses the picture; while the view only turns, it soon is seen better.
+  // A feature that is seen in part gets no new line that confuses the picture, but one in place of its line inside where nothing else does; while the view only turns, it soon is seen better.
   const auto mayCross = [&](const Candidate& candidate) {
-    return !context.foresight.zooms() || context.showAll || candidate.identity == history.last() || context.inPlainView(candidate.scope);
+    return !context.foresight.zooms() || context.showAll || candidate.identity == history.last() || (context.calm && !history.shownAnew()) || context.inPlainView(candidate.scope);
   };
   // The second offsets come last, whatever their scores.
   for (const bool second : {false, true}) {
@@ -192,7 +195,7 @@ bool Chooser::chooseInside(const CandidateContext& candidates, const ChoiceConte
   const History& history = candidates.history;
   const auto isFree = [&](const UsableBaseLine& base, bool stays) {
     if (landed.runsInto(base.screen) || landed.coversLabel(base.screen)) return false;
-    if (stays && history.framesHeld() < kPartlySeenStaysFrames) return true;
+    if (context.dwells(history)) return true;
     return !landed.crossesExtension(base.screen) && !landed.runsAlongExtension(base.screen) && (stays || !isBehindModel(candidates, base));
   };
   bool keptOff = false;

@@ -34,7 +34,7 @@ class Chooser {
 
  private:
   enum class Enough { kOne, kAll };
-  bool gatherBases(const Measured& measured, const ChoiceContext& context, double factor, Enough enough);
+  bool gatherBases(const Measured& measured, const ChoiceContext& context, Enough enough);
   enum class Outside { kNone, kWaits, kFound };
   Outside chooseOutside(const Measured& measured, const CandidateContext& candidates, const ChoiceContext& context, History* waits);
   bool chooseOutside(std::span<const UsableBaseLine> bases, const Measured& measured, const CandidateContext& candidates, const ChoiceContext& context);
@@ -45,6 +45,7 @@ class Chooser {
 
   BaseLineTally tally_;
   bool cramped_ = false;
+  double factor_ = 1;                       ///< by what thresholds for what is too short or points at the viewer are multiplied
   Candidate winner_;
   Trial::AmongOthers winnerAmongOthers_;    ///< of a winner outside
   std::vector<ChosenLine> winnerLines_;

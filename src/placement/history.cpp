@@ -37,6 +37,7 @@ double History::relaxedOffsetM(double leastM, double stepM) const {
 
 void History::age() {
   aged_ = true;
+  dwellFrames_ = std::min(dwellFrames_ + 1, kDwellFrames);
   framesHeld_ = std::min(framesHeld_ + 1, kSingleStaysZooming);
   betterFrames_ = betterThere_ ? std::min(betterFrames_ + 1, kPatienceSmallViewportFrames) : 0;
   betterThere_ = false;
@@ -47,6 +48,7 @@ void History::choose(const Identity& choice, double offsetM, const Segment2& awa
   wasHidden_ = shownAnew();
   awayPx_ = awayPx;
   aged_ = false;
+  if (!any()) dwellFrames_ = 0;
   hidden_ = false;
   forWantOfRoom_ = false;
   offsetM_ = offsetM;
@@ -68,6 +70,7 @@ void History::forgetOffset() {
 void History::choseNone(bool forWantOfRoom) {
   forWantOfRoom_ = forWantOfRoom;
   awayPx_.reset();
+  if (!hidden_) dwellFrames_ = any() ? 0 : kDwellFrames;
   hidden_ = true;
   last_ = {.parameter = last_.parameter};
   offsetM_ = -1;

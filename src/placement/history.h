@@ -81,6 +81,10 @@ class History {
   /// Whether what is shown now is shown anew: nothing was in the last frame or, before a still camera, in the one before the camera stood still.
   [[nodiscard]] bool shownAnew() const { return hidden_ || (wasHidden_ && !aged_); }
   [[nodiscard]] bool hiddenForWantOfRoom() const { return forWantOfRoom_; }
+  /// Whether what was shown in the last frame had not been there for kDwellFrames moved frames; before a still camera not what came in its own frame.
+  [[nodiscard]] bool cameLately() const { return !hidden_ && dwellFrames_ > 0 && dwellFrames_ < kDwellFrames; }
+  /// Whether what was not shown in the last frame had been within the last kDwellFrames.
+  [[nodiscard]] bool wentLately() const { return hidden_ && dwellFrames_ < kDwellFrames; }
   /// Moved frames since the last frame's choice was made for the first time, or since it was preferred to another; counts to kSingleStaysZooming.
   [[nodiscard]] int framesHeld() const { return framesHeld_; }
 
@@ -92,6 +96,7 @@ class History {
   Identity last_;
   bool hidden_ = false;
   bool wasHidden_ = false;            ///< before the last choice
+  int dwellFrames_ = 0;               ///< moved frames since it came or, while it is hidden, since it went; counts to kDwellFrames, where what never was there begins
   bool forWantOfRoom_ = false;
   int framesHeld_ = 0;
   bool betterThere_ = false;          ///< in this frame

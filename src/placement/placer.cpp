@@ -43,6 +43,8 @@ void Placer::forget() {
   past.placingOrder.forget();
   state_->forgetOthersOrder();
   past.mending = {};
+  past.tangled = false;
+  past.calmFrames = 0;
   past.sights.clear();
   past.view.reset();
   past.rest = Rest::kSettled;
@@ -223,6 +225,7 @@ void Placer::place(const View& view, const DistanceFields& fields, const Values&
   else if (!s.settleOn(frame, layout)) return;
   if (tidies) s.tidy(frame, layout);
   s.firm = firm;
+  s.past.tangled = s.outcome.tangles > 0;
   s.past.labels.note(layout.lines, frame.viewMoved);
   s.jogExtensions(layout.lines);
   if (s.showHidden) s.placeOnDemand(frame, sceneChanged, layout);
@@ -447,7 +450,10 @@ bool Placer::State::beginFrame(const View& view) {
   // An offset of so many metres is another on screen in a viewport of another size.
   const bool resized = past.view && (view.widthPx() != past.view->widthPx() || view.heightPx() != past.view->heightPx());
   past.view = view;
-  if (moved) std::ranges::for_each(past.histories, &History::age);
+  if (moved) {
+    std::ranges::for_each(past.histories, &History::age);
+    past.calmFrames = past.tangled ? 0 : std::min(past.calmFrames + 1, kCalmFrames);
+  }
   if (resized) forgetOffsets();
   return moved;
 }

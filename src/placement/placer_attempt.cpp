@@ -202,7 +202,7 @@ void Placer::State::placeAllHidden(const FrameToPlace& frame, Layout& layout) {
 
 ChoiceContext Placer::State::contextOf(const FrameToPlace& frame, const ObjectPlanesInFrame& object, const Measured& measured, const AvoidedPlace* avoid) {
   return {frame.view, frame.fields, occupied, past.lookAhead, past.labels, object, foresight, scopes, usableScopes(measured), past.sights, toleranceM, frame.viewMoved,
-          firm, patient(), avoid, nullptr, asksForRoom, kind, showAll};
+          firm, patient(), avoid, nullptr, asksForRoom, kind, outcome.tangles == 0 && past.calmFrames == kCalmFrames, showAll};
 }
 
 /// Lines inside the model get their labels last, where there is room for them: such a line says what it is by where it lies, and all else has no other way to say it.
@@ -240,8 +240,8 @@ void Placer::State::placeLines(std::size_t rank, const ChoiceContext& context, d
   History& history = past.histories[measured.parameter];
   label(measured, parameters[measured.parameter], value);
   const bool found = chooser.choose(measured, context, history);
-  // A line of what is not in plain view comes, inside the model, or comes back after it gave way to others, when it has had a place for a while: it may have one for a moment only.
-  const bool comes = history.hiddenForWantOfRoom() || (history.hidden() && chooser.winner().placement == PlacementKind::kInside);
+  // A line of what is not in plain view comes, inside the model, or comes back after it gave way to others or went lately, when it has had a place for a while: it may have one for a moment only.
+  const bool comes = history.hiddenForWantOfRoom() || history.wentLately() || (history.hidden() && chooser.winner().placement == PlacementKind::kInside);
   const bool mayGiveWay = found && !showAll && !hasRoomForLines(context.view);
   const bool givesWay = mayGiveWay && chooser.cramped(), hadNoRoom = mayGiveWay && history.hiddenForWantOfRoom();
   const int patienceFrames = hadNoRoom ? kPatienceSmallViewportFrames : kPatienceFrames;

@@ -69,6 +69,8 @@ struct Placer::State {
     PlacingOrder placingOrder;
     std::vector<std::size_t> othersOrder;   ///< numbers of those that are placed beside the lines
     Mending mending;
+    bool tangled = false;             ///< a line ran across another's extension line in the last frame
+    int calmFrames = 0;               ///< moved frames on end before this one in which none did; counts to kCalmFrames
     std::optional<View> view;         ///< of the last frame
     bool sceneChanged = false;        ///< since the last frame
     Rest rest = Rest::kSettled;

@@ -32,8 +32,11 @@ struct ChoiceContext {
   const Segment* inHand = nullptr;          ///< a line of the same chain that is dragged, and with which it goes
   bool asksForRoom = false;                 ///< labels may yet give way, in another round of the same frame
   FrameKind kind;
+  bool calm = false;                        ///< no line runs across another's extension line, nor has any for kCalmFrames
   bool showAll = false;                     ///< base lines that are short or point at the viewer can be used too
 
+  /// Whether what has that history came so lately that it stays though it would not come now.
+  [[nodiscard]] bool dwells(const History& history) const { return patient && history.cameLately(); }
   /// Whether a scope is in plain view; `stays`: a line inside the model showed it in the last frame.
   [[nodiscard]] bool inPlainView(std::size_t scope, bool stays = false) const { return dimline::inPlainView(view, scopes[scope].box, sights[scope], stays); }
 };

@@ -86,6 +86,36 @@ TEST_CASE("how long a choice is held, and whether there was one, is remembered")
   CHECK_FALSE(history.hidden());
 }
 
+TEST_CASE("for some moved frames it is remembered that something came, or went") {
+  History history(3);
+  const auto ageBy = [&](int frames) {
+    for (int i = 0; i < frames; ++i) history.age();
+  };
+  history.choseNone();
+  CHECK_FALSE(history.wentLately());        // it never was there
+  history.choose(side(0), 1.0);
+  CHECK_FALSE(history.cameLately());        // before a still camera nothing is otherwise than in the frame in which it came
+  ageBy(1);
+  CHECK(history.cameLately());
+  history.choose(side(1), 1.0);             // another place is no other coming
+  ageBy(kDwellFrames - 2);
+  history.choose(side(1), 1.0);
+  CHECK(history.cameLately());
+  ageBy(1);
+  CHECK_FALSE(history.cameLately());
+  history.choseNone();
+  CHECK(history.wentLately());
+  ageBy(kDwellFrames - 1);
+  history.choseNone();
+  CHECK(history.wentLately());
+  ageBy(1);
+  CHECK_FALSE(history.wentLately());
+  History first(3);
+  first.choose(side(0), 1.0);               // what is in the first picture has come with it
+  first.age();
+  CHECK(first.cameLately());
+}
+
 TEST_CASE("a choice that was found better than another is held from then on") {
   History history(3);
   history.choose(side(0), 1.0);

@@ -90,7 +90,7 @@ TEST_CASE("inside the model, a line that leads out of the picture gives way to a
     REQUIRE(moving.find("Width") != nullptr);
   }
   // The first picture, placed in two rounds, counts as one frame more.
-  CHECK(frames == kPartlySeenStaysFrames - 1);
+  CHECK(frames == kDwellFrames - 1);
 }
 
 TEST_CASE("inside the model, a line of what is mostly hidden gives way to another's extension lines, and one that is there already only when less is seen") {
@@ -111,7 +111,7 @@ TEST_CASE("inside the model, a line of what is mostly hidden gives way to anothe
   Stage stage(wallWithRail(9.5, 3));
   double heightM = 9;
   const auto look = [&](double railShare) { return lookAtRail(stage, heightM -= 0.002, railShare); };
-  for (int frame = 0; frame < 2 * kPartlySeenStaysFrames; ++frame) REQUIRE(look(1) != nullptr);
+  for (int frame = 0; frame < 2 * kDwellFrames; ++frame) REQUIRE(look(1) != nullptr);
   CHECK(look(1.1 * kSeenShareToStayInPlainView) != nullptr);
   CHECK(look(0.9 * kSeenShareToStayInPlainView) == nullptr);
   // When it is seen better again it is back at once.
@@ -242,7 +242,7 @@ TEST_CASE("inside the model, no line is begun on an edge that the model hides, u
   // Where it is, it stays: what passes before it for a moment is no reason to go.
   Stage stage(wallWithPost(20));
   REQUIRE(look(stage, 0, SeenEdges::all()) != nullptr);
-  for (int frame = 1; frame < 2 * kPartlySeenStaysFrames; ++frame) CHECK(look(stage, 0.002 * frame, SeenEdges(0)) != nullptr);
+  for (int frame = 1; frame < 2 * kDwellFrames; ++frame) CHECK(look(stage, 0.002 * frame, SeenEdges(0)) != nullptr);
   // On demand it is shown, behind the wall or not.
   Stage demanded(wallWithPost(20));
   REQUIRE(look(demanded, 0, SeenEdges(0)) == nullptr);
