@@ -227,13 +227,12 @@ inline constexpr std::size_t kMostBaseLinesInGaps = 8;
 /// loses its place goes inside before it goes to such a one. Less: chains are begun for a moment. More: rows have no chains.
 inline constexpr double kBriefZoom = 0.7;
 /// Of kLooksAheadZooming looks: a place outside the model that is lost at one of so many is not begun, and not by a line that is inside; nor is a base line inside it of which nothing is left in the picture at one of so many, when its
-/// scope is in plain view now, and when it is not; nor is a line shown anew, while the camera goes away, whose base line is too short at one of so many. Fewer: while the camera comes nearer, lines hop from
-/// one place to another for a frame or two each, or are shown at the rim, or while they shrink, for their last moments. More: lines are inside though there is room, and features in view have no line.
+/// scope is not in plain view; nor is a line shown anew whose base line is out of the picture or too short at one of so many. Fewer: lines hop from one place to another for a frame or two each, or are shown at the rim, or
+/// while they shrink, for their last moments. More: lines are inside though there is room, and features in view have no line.
 inline constexpr std::size_t kLooksAtLastMoments = 1;
 inline constexpr std::size_t kLooksAtLastMomentsComingOut = 3;
-inline constexpr std::size_t kLooksAtLastMomentsInside = 2;
-inline constexpr std::size_t kLooksAtLastMomentsPartlySeen = 4;
-inline constexpr std::size_t kLooksAtLastMomentsShort = 3;
+inline constexpr std::size_t kLooksAtLastMomentsInside = 4;
+inline constexpr std::size_t kLooksAtLastMomentsAnew = 3;
 /// What it costs a place to measure a scope that is going out of sight: too little of it is seen already, and only kFramesToLoseSight keep it. As much as what is lost at once while the camera comes nearer. Less:
 /// near a wall that is passed by, lines go from one window to the next as each is hidden.
 inline constexpr double kScoreFadingScope = -30.0 * kHandleSpacingPx;

@@ -119,9 +119,9 @@ bool isFading(const CandidateContext& context, std::size_t scope) {
   return context.annotation.occlusion && !context.showAll && !context.sights[scope].seenEnough();
 }
 
-/// Whether a line that is not shown would be for a few frames only, before it is too short again.
+/// Whether a line that is not shown would be for a few frames only, before what it measures is out of the picture or too short again.
 bool isShownAnewInVain(const CandidateContext& context, const Foresight::Prospect& prospect) {
-  return prospect.shortSoon && context.history.shownAnew() && !context.showAll;
+  return prospect.goneSoon && context.history.shownAnew() && !context.showAll;
 }
 
 /// How far (px) the candidate's extension lines run over the model, about: from the base line to where the model alone would let it lie.
@@ -346,9 +346,9 @@ void gatherInsideCandidate(const CandidateContext& context, const UsableBaseLine
   Candidate candidate;
   candidate.identity = {.parameter = context.history.last().parameter, .scopeIndex = base.scopeIndex, .baseLine = static_cast<std::int16_t>(base.line.number)};
   const bool stays = candidate.identity == context.history.last();
-  const Foresight::Prospect prospect = context.foresight.prospectInside(base.line.segment, plain, context.leastPx);
-  // The one that is shown stays to the last.
-  if ((prospect.lastMoments || isShownAnewInVain(context, prospect)) && !stays && !context.showAll) return;
+  const Foresight::Prospect prospect = context.foresight.prospectInside(base.line.segment, context.leastPx);
+  // The one that is shown stays to the last, and what is in plain view keeps a line.
+  if ((prospect.lastMoments && !stays && !plain && !context.showAll) || isShownAnewInVain(context, prospect)) return;
   candidate.scope = base.scope;
   candidate.base = candidate.foot = candidate.line = base.line.segment;
   candidate.baseScreen = candidate.footScreen = candidate.lineScreen = base.screen;

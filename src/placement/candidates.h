@@ -123,7 +123,7 @@ void gatherGapCandidates(const CandidateContext& context, const UsableBaseLine& 
 /// Adds the last frame's choice (`only`) on the carrier of a line that is in the hand, whatever is there.
 void gatherInHand(const CandidateContext& context, const UsableBaseLine& base, const Segment& inHand, std::vector<Candidate>& candidates);
 
-/// Adds the base line itself (algorithm 1, line 9), unless it would be shown anew for the last moments of its feature in the picture; they are longer when the scope is not in plain view.
+/// Adds the base line itself (algorithm 1, line 9), unless its feature is in its last moments in the picture and not in plain view, or the line would be shown anew for a moment only.
 void gatherInsideCandidate(const CandidateContext& context, const UsableBaseLine& base, const Obb& scope, bool plain, std::vector<Candidate>& candidates);
 
 /// So many pixels as metres, at the depth of where a candidate set out from.

@@ -121,7 +121,7 @@ Foresight::Prospect Foresight::prospect(const Place& place) {
   const bool brief = std::min(cramped, turned) < briefCount_;
   return {.price = lossPrice_ * std::max(shareLeft(lost), kTurnedAwayShare * shareLeft(turned)),
           .brief = brief,
-          .shortSoon = isShortSoon(gone),
+          .goneSoon = isLostAtOneOf(kLooksAtLastMomentsAnew, gone),
           .outInVain = zooms() ? isLostAtOneOf(kLooksAtLastMomentsComingOut, cramped) : brief,
           .lastMoments = isLostAtOneOf(kLooksAtLastMoments, cramped)};
 }
@@ -141,11 +141,11 @@ bool Foresight::hasRoom(const Look& look, const Place& place) {
   return then->lowM <= offsetM && offsetM <= then->highM;
 }
 
-Foresight::Prospect Foresight::prospectInside(const Segment& base, bool plain, double leastPx) const {
+Foresight::Prospect Foresight::prospectInside(const Segment& base, double leastPx) const {
   const std::size_t gone = firstLookWithout(base, leastPx);
   return {.price = lossPrice_ * shareLeft(gone),
-          .shortSoon = isShortSoon(gone),
-          .lastMoments = isLostAtOneOf(plain ? kLooksAtLastMomentsInside : kLooksAtLastMomentsPartlySeen, firstLookWithout(base, 0))};
+          .goneSoon = isLostAtOneOf(kLooksAtLastMomentsAnew, gone),
+          .lastMoments = isLostAtOneOf(kLooksAtLastMomentsInside, firstLookWithout(base, 0))};
 }
 
 }  // namespace dimline

@@ -35,7 +35,7 @@ class Foresight {
   struct Prospect {
     double price = 0;          ///< px, to be added to the place's score
     bool brief = false;        ///< outside the model: it has no room any more, or its feature has turned away, before the view has turned by kForesightRad or zoomed by kBriefZoom
-    bool shortSoon = false;    ///< while the camera goes away: it is too short to be shown so soon that it is not worth being shown anew (kLooksAtLastMomentsShort)
+    bool goneSoon = false;     ///< while the camera comes nearer or goes away: what it measures is out of the picture, or too short to be shown, so soon that it is not worth being shown anew (kLooksAtLastMomentsAnew)
     bool outInVain = false;    ///< no place for a line inside the model to come out to, since it would soon be back: a brief one while the view turns; else one without room so soon that kLooksAtLastMomentsComingOut tell it
     bool lastMoments = false;  ///< while the camera comes nearer or goes away: there is room for it so briefly that it is not worth being begun (kLooksAtLastMoments)
   };
@@ -52,8 +52,8 @@ class Foresight {
   /// later. A feature that turns away from the viewer costs kTurnedAwayShare of that, and so does one that is turned
   /// away when no movement is thought to go on. More of all when the camera comes nearer or goes away.
   [[nodiscard]] Prospect prospect(const Place& place);
-  /// Of a base line inside the model, which is lost when nothing of it is left in the viewport or it is shorter there than `leastPx`. `plain`: its scope is in plain view now.
-  [[nodiscard]] Prospect prospectInside(const Segment& base, bool plain, double leastPx) const;
+  /// Of a base line inside the model, which is lost when nothing of it is left in the viewport or it is shorter there than `leastPx`.
+  [[nodiscard]] Prospect prospectInside(const Segment& base, double leastPx) const;
 
  private:
   /// A view of the movement gone on with.
@@ -67,7 +67,6 @@ class Foresight {
   [[nodiscard]] std::size_t firstLookWithout(const Segment& base, double leastPx) const;
   /// Whether what is lost at that look, or at none, is lost at one of the first `count` looks of a zoom. A quick one has fewer in all.
   [[nodiscard]] bool isLostAtOneOf(std::size_t count, std::size_t look) const { return zooms() && look < std::min(count, lookCount_); }
-  [[nodiscard]] bool isShortSoon(std::size_t gone) const { return !nears_ && isLostAtOneOf(kLooksAtLastMomentsShort, gone); }
 
   std::vector<Look> looks_;         ///< the nearest first; memory for more than there are
   std::size_t lookCount_ = 0;       ///< none when no movement is thought to go on

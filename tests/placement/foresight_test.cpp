@@ -88,7 +88,7 @@ Foresight::Prospect prospectOutside(const View& before, const View& now, const S
   REQUIRE(planes.size() == 1);
   return foresight.prospect({feature, Slip::kBillboard, planes[0], 1, 0.0, line, leastPx, textSize});
 }
-double priceInside(const Foresight& foresight, const Segment& base) { return foresight.prospectInside(base, true, 0).price; }
+double priceInside(const Foresight& foresight, const Segment& base) { return foresight.prospectInside(base, 0).price; }
 double priceOutside(const View& before, const View& now, const Segment& line, const BaseLine& feature = inTheMiddle()) {
   return prospectOutside(before, now, line, feature).price;
 }
@@ -217,27 +217,24 @@ TEST_CASE("a line inside the model comes out in vain where it has no room any mo
   CHECK_FALSE(prospectOutside(turnedBy(0), turnedBy(1), {{0, 1, -14.3}, {0, 2, -14.3}}).outInVain);
 }
 
-TEST_CASE("inside the model, what leaves the picture at the first looks is in its last moments, and what is cut off already at later ones") {
+TEST_CASE("inside the model, what leaves the picture at one of the first looks is in its last moments, and not shown anew when still sooner") {
   Foresight foresight;
   foresight.begin(seeing(10), seeing(9), boxBounds(), {}, 1e-3);
   // To the right of the middle 4.05 m are seen at the first look, then 3.645, 3.28, 2.95, 1.94 and 0.93 m.
-  for (const bool whole : {true, false}) {
-    CHECK(foresight.prospectInside(rightBy(3.65), whole, 0).lastMoments);
-    CHECK(foresight.prospectInside(rightBy(2.96), whole, 0).lastMoments == !whole);
-    CHECK_FALSE(foresight.prospectInside(rightBy(2.94), whole, 0).lastMoments);
-  }
-  CHECK(foresight.prospectInside(rightBy(3.63), false, 0).lastMoments);
-  CHECK_FALSE(foresight.prospectInside(rightBy(3.63), true, 0).lastMoments);
+  CHECK(foresight.prospectInside(rightBy(2.96), 0).lastMoments);
+  CHECK_FALSE(foresight.prospectInside(rightBy(2.94), 0).lastMoments);
+  CHECK(foresight.prospectInside(rightBy(3.29), 0).goneSoon);
+  CHECK_FALSE(foresight.prospectInside(rightBy(3.27), 0).goneSoon);
   // So quick a zoom is looked ahead of once, where 0.9 m are seen.
   foresight.begin(seeing(20), seeing(6), boxBounds(), {}, 1e-3);
   REQUIRE(foresight.lookCount() == 1);
-  for (const bool whole : {true, false}) {
-    CHECK_FALSE(foresight.prospectInside(rightBy(0.8), whole, 0).lastMoments);
-    CHECK(foresight.prospectInside(rightBy(1.0), whole, 0).lastMoments);
-  }
+  CHECK_FALSE(foresight.prospectInside(rightBy(0.8), 0).lastMoments);
+  CHECK(foresight.prospectInside(rightBy(1.0), 0).lastMoments);
+  CHECK(foresight.prospectInside(rightBy(1.0), 0).goneSoon);
   // Not while the camera turns.
   foresight.begin(turnedBy(0), turnedBy(1), boxBounds(), {}, 1e-3);
-  CHECK_FALSE(foresight.prospectInside(rightBy(5.1), true, 0).lastMoments);
+  CHECK_FALSE(foresight.prospectInside(rightBy(5.1), 0).lastMoments);
+  CHECK_FALSE(foresight.prospectInside(rightBy(5.1), 0).goneSoon);
 }
 
 TEST_CASE("as the camera goes away, what will be too short to be measured is lost, sooner or later") {
@@ -245,7 +242,7 @@ TEST_CASE("as the camera goes away, what will be too short to be measured is los
   const double worst = kScoreSoonGone * kSoonGoneZooming;
   Foresight foresight;
   foresight.begin(seeing(9), seeing(10), boxBounds(), {}, 1e-3);
-  const auto inside = [&](double leastPx) { return foresight.prospectInside(rightBy(1), true, leastPx); };
+  const auto inside = [&](double leastPx) { return foresight.prospectInside(rightBy(1), leastPx); };
   BaseLine upright;
   upright.segment = rightBy(1);
   const auto outside = [&](double leastPx) { return prospectOutside(seeing(9), seeing(10), rightBy(1.5), upright, leastPx); };
@@ -260,12 +257,12 @@ TEST_CASE("as the camera goes away, what will be too short to be measured is los
   CHECK_FALSE(outside(91).lastMoments);
   CHECK_FALSE(outside(91).brief);
   // But it is not shown anew when it is too short at the third look.
-  CHECK(inside(73).shortSoon);
-  CHECK(outside(73).shortSoon);
-  CHECK_FALSE(inside(72).shortSoon);
-  CHECK_FALSE(outside(72).shortSoon);
-  CHECK_FALSE(prospectOutside(seeing(10), seeing(9), rightBy(1.5), upright, 1000).shortSoon);
-  CHECK_FALSE(prospectOutside(seeing(10), seeing(10), rightBy(1.5), upright, 1000).shortSoon);
+  CHECK(inside(73).goneSoon);
+  CHECK(outside(73).goneSoon);
+  CHECK_FALSE(inside(72).goneSoon);
+  CHECK_FALSE(outside(72).goneSoon);
+  CHECK(prospectOutside(seeing(10), seeing(9), rightBy(1.5), upright, 1000).goneSoon);
+  CHECK_FALSE(prospectOutside(seeing(10), seeing(10), rightBy(1.5), upright, 1000).goneSoon);
 }
 
 TEST_CASE("a place is lost as well when the viewport has no room for its label any more") {

@@ -326,6 +326,25 @@ TEST_CASE("while the camera comes nearer, no line is shown inside the model for 
   CHECK(begun > 20);
 }
 
+TEST_CASE("while the camera comes nearer, a line that has no room outside any more lies inside for as long as its feature is in plain view") {
+  constexpr double kRightM = 1.6;   // where the wall and the plate end
+  ModelDefinition definition = wallWithMast();
+  definition.parameters.resize(1);
+  definition.parameters[0].annotation = "@Handle(scope=Plate, type=linear-contour, orient=up, slip=scope)";
+  definition.build = [](const Values&) { return sceneOf({{"Wall", boxAt({-20, -10, -1}, {20 + kRightM, 20, 1})}, {"Plate", boxAt({kRightM - 0.2, -0.2, 0}, {0.2, 0.4, 0.1})}}); };
+  Stage stage(definition);
+  int outside = 0, inside = 0;
+  for (double seenM = 5; seenM > 2 * kRightM; seenM *= 0.97) {
+    stage.look(straightAt(0, seenM));
+    INFO(seenM << " m are seen");
+    const PlacedLine* line = stage.find("Width");
+    REQUIRE(line != nullptr);
+    ++(line->placement == PlacementKind::kInside ? inside : outside);
+  }
+  CHECK(outside > 5);
+  CHECK(inside > 2);
+}
+
 TEST_CASE("no line outside the model runs across one that stays on its base line") {
   ModelDefinition definition = boxWithDoor();
   definition.parameters.resize(2);
