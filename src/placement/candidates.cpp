@@ -348,7 +348,7 @@ void gatherInsideCandidate(const CandidateContext& context, const UsableBaseLine
   const bool stays = candidate.identity == context.history.last();
   const Foresight::Prospect prospect = context.foresight.prospectInside(base.line.segment, context.leastPx);
   // The one that is shown stays to the last, and what is in plain view keeps a line.
-  if ((prospect.lastMoments && !stays && !plain && !context.showAll) || isShownAnewInVain(context, prospect)) return;
+  if (!stays && ((prospect.lastMoments && !plain && !context.showAll) || isShownAnewInVain(context, prospect))) return;
   candidate.scope = base.scope;
   candidate.base = candidate.foot = candidate.line = base.line.segment;
   candidate.baseScreen = candidate.footScreen = candidate.lineScreen = base.screen;

@@ -26,7 +26,7 @@ bool Chooser::choose(const Measured& measured, const ChoiceContext& context, His
     return gatherBases(measured, context, wanted);
   };
   if (history.hidden() && !hasBases(kShowAgainFactor, Enough::kOne)) return false;
-  if (!hasBases(1, enough) && !(context.dwells(history) && hasBases(kDwellLengthShare, enough))) return false;
+  if (!hasBases(1, enough) && !(context.dwells(history) && hasBases(kDwellFactor, enough))) return false;
   const CandidateContext candidates{measured.annotation, context.view, context.occupied.padded(), context.occupied.paddedModel(), context.occupied.guides(),
                                     context.objectPlanes, context.viewMoved, history, context.toleranceM, slipPlanes_, context.foresight,
                                     factor_ * leastLengthPx(measured.annotation), nullptr, context.avoid, false, context.showAll, context.sights, measured.textSize, context.kind};

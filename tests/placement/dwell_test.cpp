@@ -11,12 +11,8 @@ namespace {
 
 /// A plate, 1 m wide, of which that is measured.
 ModelDefinition plate() {
-  ModelDefinition definition = boxWithDoor();
-  definition.name = "plate";
-  definition.parameters.resize(1);
-  definition.parameters[0].annotation = "@Handle(scope=Plate, type=linear-contour, orient=right, slip=scope)";
-  definition.build = [](const Values&) { return sceneOf({{"Plate", boxAt({-0.5, -0.5, 0}, {1, 1, 0.1})}}); };
-  return definition;
+  return measuring({"@Handle(scope=Plate, type=linear-contour, orient=right, slip=scope)"},
+                   [](const Values&) { return sceneOf({{"Plate", boxAt({-0.5, -0.5, 0}, {1, 1, 0.1})}}); });
 }
 
 constexpr float kPartly = static_cast<float>(0.9 * kSeenShareInPlainView);
@@ -45,19 +41,14 @@ class MovingLook {
 
 /// A wall with a plate at its top and two rails under that, each longer than what is above it. In a picture of its upper part all have room above it only, where a rail's extension lines run across what is nearer.
 ModelDefinition wallWithRails() {
-  ModelDefinition definition = boxWithDoor();
-  definition.name = "wall";
-  definition.parameters.resize(3);
-  definition.parameters[0].annotation = "@Handle(scope=Plate, type=linear-center, orient=right, slip=scope)";
-  definition.parameters[1].annotation = "@Handle(scope=Rail, type=linear-center, orient=right, slip=scope)";
-  definition.parameters[2].annotation = "@Handle(scope=Ledge, type=linear-center, orient=right, slip=scope)";
-  definition.build = [](const Values&) {
-    return sceneOf({{"Wall", boxAt({-20, -20, -1}, {40, 20, 1})},
-                    {"Plate", boxAt({-0.5, -0.2, 0}, {1, 0.2, 0.1})},
-                    {"Rail", boxAt({-0.1, -0.7, 0}, {1.2, 0.2, 0.1})},
-                    {"Ledge", boxAt({-0.2, -1.2, 0}, {1.4, 0.2, 0.1})}});
-  };
-  return definition;
+  return measuring({"@Handle(scope=Plate, type=linear-center, orient=right, slip=scope)", "@Handle(scope=Rail, type=linear-center, orient=right, slip=scope)",
+                    "@Handle(scope=Ledge, type=linear-center, orient=right, slip=scope)"},
+                   [](const Values&) {
+                     return sceneOf({{"Wall", boxAt({-20, -20, -1}, {40, 20, 1})},
+                                     {"Plate", boxAt({-0.5, -0.2, 0}, {1, 0.2, 0.1})},
+                                     {"Rail", boxAt({-0.1, -0.7, 0}, {1.2, 0.2, 0.1})},
+                                     {"Ledge", boxAt({-0.2, -1.2, 0}, {1.4, 0.2, 0.1})}});
+                   });
 }
 
 }  // namespace
@@ -66,12 +57,12 @@ TEST_CASE("a line that has come stays for some frames when it has become too sho
   MovingLook look;
   REQUIRE_FALSE(look.at(0.9));
   REQUIRE(look.at(1.1 * kShowAgainFactor));
-  CHECK(look.framesOf(true, 1.1 * kDwellLengthShare) == kDwellFrames - 1);
+  CHECK(look.framesOf(true, 1.1 * kDwellFactor) == kDwellFrames - 1);
 
   MovingLook shorter;
   REQUIRE_FALSE(shorter.at(0.9));
   REQUIRE(shorter.at(1.1 * kShowAgainFactor));
-  CHECK_FALSE(shorter.at(0.9 * kDwellLengthShare));
+  CHECK_FALSE(shorter.at(0.9 * kDwellFactor));
 }
 
 TEST_CASE("a line that has gone comes back when it has had a place for a while, or its feature is in plain view") {

@@ -11,27 +11,20 @@ using namespace dimline::test;
 
 namespace {
 
+constexpr const char* kAcrossPlate = "@Handle(scope=Plate, type=linear-center, orient=right, slip=scope)";
+
 /// A wall that fills every picture of it from near by, with a short line across its middle, and a mast of the wall's height before it.
 ModelDefinition wallWithMast() {
-  ModelDefinition definition = boxWithDoor();
-  definition.name = "wall";
-  definition.parameters.resize(2);
-  definition.parameters[0].annotation = "@Handle(scope=Plate, type=linear-center, orient=right, slip=scope)";
-  definition.parameters[1].annotation = "@Handle(scope=Mast, type=linear-center, orient=up, slip=scope)";
-  definition.build = [](const Values&) {
+  return measuring({kAcrossPlate, "@Handle(scope=Mast, type=linear-center, orient=up, slip=scope)"}, [](const Values&) {
     return sceneOf({{"Wall", boxAt({-20, -10, -1}, {40, 20, 1})}, {"Plate", boxAt({-0.5, -0.1, 0}, {1, 0.2, 0.1})}, {"Mast", boxAt({-0.1, -10, 0}, {0.2, 20, 0.1})}});
-  };
-  return definition;
+  });
 }
 
 /// The same wall, with a short line near its top, which goes up and out, and a rail along it at a height, so long (m): mostly it leads out of the picture.
 ModelDefinition wallWithRail(double heightM, double lengthM = 40) {
-  ModelDefinition definition = wallWithMast();
-  definition.parameters[1].annotation = "@Handle(scope=Rail, type=linear-center, orient=right, slip=none)";
-  definition.build = [heightM, lengthM](const Values&) {
+  return measuring({kAcrossPlate, "@Handle(scope=Rail, type=linear-center, orient=right, slip=none)"}, [heightM, lengthM](const Values&) {
     return sceneOf({{"Wall", boxAt({-20, -10, -1}, {40, 20, 1})}, {"Plate", boxAt({-0.5, 8.9, 0}, {1, 0.2, 0.1})}, {"Rail", boxAt({-lengthM / 2, heightM, 0}, {lengthM, 0.1, 0.1})}});
-  };
-  return definition;
+  });
 }
 
 /// How much of that wall is seen (m).
@@ -218,14 +211,11 @@ TEST_CASE("inside the model, lines lie on edges that are seen rather than behind
 
 TEST_CASE("inside the model, no line is begun on an edge that the model hides, unless what it measures is in plain view") {
   const auto wallWithPost = [](double heightM) {
-    ModelDefinition definition = wallWithMast();
-    definition.parameters[1].annotation = "@Handle(scope=Post, type=linear-contour, orient=up, slip=none)";
-    definition.build = [heightM](const Values&) {
+    return measuring({kAcrossPlate, "@Handle(scope=Post, type=linear-contour, orient=up, slip=none)"}, [heightM](const Values&) {
       Scene scene = sceneOf({{"Wall", boxAt({-20, -10, -1}, {40, 20, 1})}, {"Plate", boxAt({-0.5, -0.1, 0}, {1, 0.2, 0.1})}});
       scene.scopes.push_back({"Post", 0, boxAt({1, -heightM / 2, -0.5}, {0.4, heightM, 0.5})});
       return scene;
-    };
-    return definition;
+    });
   };
   const auto look = [](Stage& stage, double heightM, SeenEdges edges) {
     const ScopeVisibility visibility{.seenShare = {1, 1, 1}, .seenEdges = {SeenEdges::all(), SeenEdges::all(), edges}};
@@ -328,11 +318,9 @@ TEST_CASE("while the camera comes nearer, no line is shown inside the model for 
 
 TEST_CASE("while the camera comes nearer, a line that has no room outside any more lies inside for as long as its feature is in plain view") {
   constexpr double kRightM = 1.6;   // where the wall and the plate end
-  ModelDefinition definition = wallWithMast();
-  definition.parameters.resize(1);
-  definition.parameters[0].annotation = "@Handle(scope=Plate, type=linear-contour, orient=up, slip=scope)";
-  definition.build = [](const Values&) { return sceneOf({{"Wall", boxAt({-20, -10, -1}, {20 + kRightM, 20, 1})}, {"Plate", boxAt({kRightM - 0.2, -0.2, 0}, {0.2, 0.4, 0.1})}}); };
-  Stage stage(definition);
+  Stage stage(measuring({"@Handle(scope=Plate, type=linear-contour, orient=up, slip=scope)"}, [](const Values&) {
+    return sceneOf({{"Wall", boxAt({-20, -10, -1}, {20 + kRightM, 20, 1})}, {"Plate", boxAt({kRightM - 0.2, -0.2, 0}, {0.2, 0.4, 0.1})}});
+  }));
   int outside = 0, inside = 0;
   for (double seenM = 5; seenM > 2 * kRightM; seenM *= 0.97) {
     stage.look(straightAt(0, seenM));
@@ -346,18 +334,13 @@ TEST_CASE("while the camera comes nearer, a line that has no room outside any mo
 }
 
 TEST_CASE("no line outside the model runs across one that stays on its base line") {
-  ModelDefinition definition = boxWithDoor();
-  definition.parameters.resize(2);
-  definition.parameters[0].annotation = "@Handle(scope=Box, type=linear-contour, orient=right, slip=scope, align=top)";
-  definition.parameters[1].annotation = "@Handle(scope=Pole, type=linear-center, orient=up, slip=none)";
   // Nothing is drawn of the pole, so the silhouette does not know of it.
-  definition.build = [](const Values&) {
+  Stage stage(measuring({"@Handle(scope=Box, type=linear-contour, orient=right, slip=scope, align=top)", "@Handle(scope=Pole, type=linear-center, orient=up, slip=none)"}, [](const Values&) {
     Scene scene = sceneOf({{"Box", boxAt({-4, 0, -3}, {8, 5, 6})}});
     scene.scopes.push_back({"Pole", 0, boxAt({-0.1, 5, 3}, {0.2, 4, 0.1})});
     finish(scene);
     return scene;
-  };
-  Stage stage(definition);
+  }));
   for (double azimuth = -20; azimuth <= 20; azimuth += 1) {
     stage.look(orbitCamera({0, 2.5, 0}, 30, azimuth, 10));
     REQUIRE(stage.find("Width") != nullptr);
@@ -368,16 +351,12 @@ TEST_CASE("no line outside the model runs across one that stays on its base line
 }
 
 TEST_CASE("a line that has no room outside all of the model stands between two parts of it") {
-  ModelDefinition definition = boxWithDoor();
-  definition.name = "towers";
-  definition.parameters.resize(1);
-  definition.parameters[0].annotation = "@Handle(scope=Window, type=linear-contour, orient=up, slip=scope)";
   double apartM = 1;
-  definition.build = [&](const Values&) {
+  const ModelDefinition definition = measuring({"@Handle(scope=Window, type=linear-contour, orient=up, slip=scope)"}, [&](const Values&) {
     return sceneOf({{"Left", boxAt({-4, -6, -1}, {4 - apartM / 2, 12, 1})},
                     {"Right", boxAt({apartM / 2, -6, -1}, {4 - apartM / 2, 12, 1})},
                     {"Window", boxAt({-apartM / 2 - 0.6, -0.5, 0}, {0.5, 1, 0.02})}});
-  };
+  });
   SECTION("where there is room for it") {
     // 250 px a metre: the towers fill the picture but for the columns from 375 to 625.
     Stage stage(definition);
@@ -403,12 +382,8 @@ TEST_CASE("a line that has no room outside all of the model stands between two p
 
 TEST_CASE("inside the model, a line comes out to an object plane when it has had room there for a while, to its scope's plane at once") {
   const auto block = [](const char* slip) {
-    ModelDefinition definition = boxWithDoor();
-    definition.name = "block";
-    definition.parameters.resize(1);
-    definition.parameters[0].annotation = std::string("@Handle(scope=Block, type=linear-contour, orient=up, slip=") + slip + ")";
-    definition.build = [](const Values&) { return sceneOf({{"Block", boxAt({-1, -1, -1}, {2, 2, 2})}}); };
-    return definition;
+    return measuring({std::string("@Handle(scope=Block, type=linear-contour, orient=up, slip=") + slip + ")"},
+                     [](const Values&) { return sceneOf({{"Block", boxAt({-1, -1, -1}, {2, 2, 2})}}); });
   };
   const auto framesUntilOutside = [](Stage& stage) {
     // The block fills the picture; then it is seen with room all round.

@@ -189,16 +189,12 @@ TEST_CASE("in a viewport that is too small a line that would run through another
 }
 
 TEST_CASE("lines lie again where they lay in a picture that is recalled, whatever other scene was looked at since") {
-  ModelDefinition definition = boxWithDoor();
-  definition.parameters.resize(1);
-  definition.parameters[0].annotation = "@Handle(scope=Block, type=linear-contour, orient=up, slip=object)";
   const auto blocks = std::make_shared<int>(5);
-  definition.build = [blocks](const Values&) {
+  Stage stage(measuring({"@Handle(scope=Block, type=linear-contour, orient=up, slip=object)"}, [blocks](const Values&) {
     const std::array<Obb, 5> all = {boxAt({0, 0, 0}, {1, 3, 1}), boxAt({5, 0, 1}, {1, 3, 1}), boxAt({6, 0, 5}, {1, 3, 1}), boxAt({2, 0, 8}, {1, 3, 1}), boxAt({-3, 0, 4}, {1, 3, 1})};
     if (*blocks == 1) return sceneOf({{"Block", all[0]}});
     return sceneOf({{"Block", all[0]}, {"Block", all[1]}, {"Block", all[2]}, {"Block", all[3]}, {"Block", all[4]}});
-  };
-  Stage stage(definition);
+  }));
   const auto turned = [](double azimuthDeg) { return orbitCamera({2, 1.5, 4}, 40, azimuthDeg, 25); };
   for (int frame = 0; frame < 5; ++frame) stage.look(turned(frame));
   const Placer::Memory memory = stage.placer.memory();

@@ -78,10 +78,7 @@ ModelDefinition wallWithPlateAndBays(const WallPlan& plan) {
 
 /// A tower with rows of bays on its front and on its left side, so that a bay's width has a chain for each row.
 ModelDefinition towerWithBays() {
-  ModelDefinition definition = boxWithDoor();
-  definition.parameters.resize(1);
-  definition.parameters[0].annotation = "@Handle(scope=Bay, type=linear-contour, orient=right, slip=scope, chained)";
-  definition.build = [](const Values&) {
+  return measuring({"@Handle(scope=Bay, type=linear-contour, orient=right, slip=scope, chained)"}, [](const Values&) {
     Scene scene = sceneOf({{"Wall", boxAt({-12, -8, -8}, {24, 16, 16})}});
     std::uint32_t bays = 0;
     for (int row = 0; row < 4; ++row) {
@@ -95,8 +92,7 @@ ModelDefinition towerWithBays() {
     }
     finish(scene);
     return scene;
-  };
-  return definition;
+  });
 }
 
 }  // namespace
@@ -170,16 +166,12 @@ TEST_CASE("a line is its base line moved in parallel, and its extension lines ti
 TEST_CASE("an extension line that would lie on a dimension line runs a little beside it") {
   // The post's line is 30 px beside the wall, and there, 0.6 m beside it, the beam ends that is measured above the wall.
   const auto lookAt = [](double beamEndM) {
-    ModelDefinition definition = boxWithDoor();
-    definition.parameters.resize(2);
-    definition.parameters[0].annotation = "@Handle(scope=Post, type=linear-center, orient=up, slip=scope, align=right)";
-    definition.parameters[1].annotation = "@Handle(scope=Beam, type=linear-center, orient=right, slip=scope, align=top)";
-    definition.build = [beamEndM](const Values&) {
-      Scene scene = sceneOf({{"Wall", boxAt({-5, 0, -1}, {10, 16, 1})}, {"Post", boxAt({4.8, 14.5, 0}, {0.1, 1.4, 0.02})}});
-      scene.scopes.push_back({"Beam", 0, boxAt({beamEndM - 4, 14.2, 0}, {4, 0.02, 0.02})});
-      return scene;
-    };
-    Stage stage(std::move(definition));
+    Stage stage(measuring({"@Handle(scope=Post, type=linear-center, orient=up, slip=scope, align=right)", "@Handle(scope=Beam, type=linear-center, orient=right, slip=scope, align=top)"},
+                          [beamEndM](const Values&) {
+                            Scene scene = sceneOf({{"Wall", boxAt({-5, 0, -1}, {10, 16, 1})}, {"Post", boxAt({4.8, 14.5, 0}, {0.1, 1.4, 0.02})}});
+                            scene.scopes.push_back({"Beam", 0, boxAt({beamEndM - 4, 14.2, 0}, {4, 0.02, 0.02})});
+                            return scene;
+                          }));
     stage.look(straightAt(8));
     REQUIRE(stage.layout.lines.size() == 2);
     REQUIRE(stage.layout.lines[0].lineScreen.start.x == Approx(780).margin(0.5));

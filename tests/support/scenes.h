@@ -1,7 +1,9 @@
 #pragma once
 
 #include <cmath>
+#include <functional>
 #include <initializer_list>
+#include <string>
 #include <utility>
 
 #include "model/model.h"
@@ -69,6 +71,16 @@ inline ModelDefinition boxWithDoor() {
     const Obb door = boxAt({-v.at(3) / 2, 0, size.z / 2}, {v.at(3), v.at(4), 0.1});
     return sceneOf({{"Box", box}, {"Door", door}});
   };
+  return definition;
+}
+
+/// A scene that a test makes itself, of which the first of that box's parameters are measured, Width, Height and Depth before all: one an annotation.
+inline ModelDefinition measuring(std::initializer_list<std::string> annotations, std::function<Scene(const Values&)> build) {
+  ModelDefinition definition = boxWithDoor();
+  definition.parameters.resize(annotations.size());
+  auto parameter = definition.parameters.begin();
+  for (const std::string& annotation : annotations) (parameter++)->annotation = annotation;
+  definition.build = std::move(build);
   return definition;
 }
 
