@@ -83,7 +83,7 @@ bool Odds::hadToGoBack(std::size_t parameter, std::size_t changed, std::size_t b
   };
   if (before == Sort::kHidden) return cannotBeShown(back, parameter) && anyInPlainView(changed, back);
   if (after == Sort::kHidden) {
-    return cannotBeShown(changed, parameter) && anyInPlainView(back, changed + kTakenBackFrames);
+    return cannotBeShown(changed, parameter) && anyInPlainView(back, changed + kTakenBackFrames + 1);
   }
   if (before == after || !isLineOf(parameter)) return false;
   return !hasRoom(before == Sort::kInside ? back : changed, parameter);

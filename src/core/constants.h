@@ -56,7 +56,7 @@ inline constexpr double kMostReachShare = 0.4;
 inline constexpr double kMostReachShareToStay = 0.45;
 inline constexpr double kLeastReachPx = 300.0;
 
-/// A line hidden as too short or foreshortened is shown again when it passes the threshold by this factor, so that it does not come and go at its edge.
+/// A line hidden as too short or foreshortened is shown again when it passes the threshold by this factor, so that it does not come and go at its edge; and one that is shown stays in its place outside where it is shorter by it.
 inline constexpr double kShowAgainFactor = 1.18;
 
 /// px. While all is shown, a line must still have a direction on screen.
@@ -140,6 +140,8 @@ inline constexpr double kScoreChange = -24.0 * kHandleSpacingPx;
 inline constexpr double kScoreChangeSettling = -2.0 * kHandleSpacingPx;
 inline constexpr double kChangesOfLeap = 3.5;
 inline constexpr double kChangesOfReturn = 16.0;
+/// As so many counts a change to a place that the turning view takes away at the first look ahead (Foresight): the line would soon have to change again. Less: mending puts lines where they are for a few frames only. More: it leaves more amiss.
+inline constexpr double kChangesOfPassing = 9.0;
 /// The price of a change, as a share, where it leaves no line at all that runs across another's extension line, since a picture without is read at a glance. Less: more such pictures, and more changes. For the last
 /// of them alone: at a low price for all, lines change places without end where they are so crowded that some stay in each other's way.
 inline constexpr double kChangeShareToUntangle = 0.4;
@@ -197,7 +199,8 @@ inline constexpr int kFramesToLookAround = 3;
 inline constexpr int kPatienceFrames = 15;
 /// The same for any line that had no room, or gave way, in a small viewport, where room is what others leave for the moment. Fewer: lines come back to be gone again. More: fewer lines are shown until the movement ends.
 inline constexpr int kPatienceSmallViewportFrames = 30;
-/// Moved frames for which what has come stays, though it would not come now: where it is too short or points at the viewer, by thresholds kDwellFactor times as high, or inside the model across another's extension line
+/// Moved frames for which what has come stays, though it would not come now: where it is too short or points at the viewer, by thresholds kDwellFactor times as high (which hold as well, while the view turns, for what would come back at one of
+/// the looks ahead), or inside the model across another's extension line
 /// where it is not in plain view; and for which a line that has gone waits for a place that lasts, unless its feature is in plain view. More than a change that is taken back lasts. Fewer: some are shown, or missing, for
 /// a moment only. More: they are short, or run across extension lines, for longer, and what comes into sight again is late. A lower factor: lines shrink to their arrowheads.
 inline constexpr int kDwellFrames = 16;
@@ -233,7 +236,7 @@ inline constexpr std::size_t kLooksAtLastMoments = 1;
 inline constexpr std::size_t kLooksAtLastMomentsComingOut = 3;
 inline constexpr std::size_t kLooksAtLastMomentsInside = 4;
 inline constexpr std::size_t kLooksAtLastMomentsAnew = 3;
-/// What it costs a place to measure a scope that is going out of sight: too little of it is seen already, and only kFramesToLoseSight keep it. As much as what is lost at once while the camera comes nearer. Less:
+/// What another place costs a line on a scope that is going out of sight: too little of it is seen already, and only kFramesToLoseSight keep it; from another scope it does not go there. As much as what is lost at once while the camera comes nearer. Less:
 /// near a wall that is passed by, lines go from one window to the next as each is hidden.
 inline constexpr double kScoreFadingScope = -30.0 * kHandleSpacingPx;
 /// Moved frames for which one line stands for a chain that had no room, while the camera comes nearer or goes away; otherwise kReturnFrames. Fewer: the chain comes back where there is just room for it, and goes to

@@ -64,7 +64,7 @@ Candidate unplaced(const UsableBaseLine& base, const SlipPlane& plane, int direc
   candidate.plane = plane;
   candidate.outward = plane.across * static_cast<double>(direction);
   candidate.mostM = std::min(direction > 0 ? plane.highM : -plane.lowM, mostInProportionM(candidate, context.view));
-  candidate.leastPx = context.leastPx;
+  candidate.leastPx = candidate.identity == context.history.last() ? context.leastPx / kShowAgainFactor : context.leastPx;
   return candidate;
 }
 
@@ -114,9 +114,14 @@ bool placeAt(Candidate& candidate, const Slide& slide, double offsetM, const Vie
   return true;
 }
 
-/// Whether a scope is going out of sight, so that no line is begun on it where there is another.
+/// Whether a scope is going out of sight.
 bool isFading(const CandidateContext& context, std::size_t scope) {
   return context.annotation.occlusion && !context.showAll && !context.sights[scope].seenEnough();
+}
+
+/// Whether a line would be begun on a scope that is going out of sight, or go over to it from another.
+bool isBegunOnFading(const CandidateContext& context, const UsableBaseLine& base) {
+  return base.cluster < 0 && base.scopeIndex != context.history.last().scopeIndex && isFading(context, base.scope);
 }
 
 /// Whether a line that is not shown would be for a few frames only, before what it measures is out of the picture or too short again.
@@ -156,7 +161,8 @@ void keep(const CandidateContext& context, const UsableBaseLine& base, Candidate
                                     chain ? 0.0 : context.leastPx, chain ? Vec2(0.0) : context.textSize});
     // No place is begun for its last moments, and a line inside the model does not come out for a moment.
     const bool tooBrief = prospect.lastMoments || (prospect.outInVain && context.history.wasInside()) || (prospect.brief && context.lasting && context.foresight.zooms());
-    if (isShownAnewInVain(context, prospect) || tooBrief) return;
+    if (isShownAnewInVain(context, prospect) || tooBrief || isBegunOnFading(context, base)) return;
+    candidate.passing = prospect.passing;
     candidate.score += prospect.price;
     if (!chain && isFading(context, candidate.scope)) candidate.score += kScoreFadingScope;
     if (!chain && isBehindModel(context, base)) candidate.score += kScoreFromBehindModel;
@@ -348,7 +354,7 @@ void gatherInsideCandidate(const CandidateContext& context, const UsableBaseLine
   const bool stays = candidate.identity == context.history.last();
   const Foresight::Prospect prospect = context.foresight.prospectInside(base.line.segment, context.leastPx);
   // The one that is shown stays to the last, and what is in plain view keeps a line.
-  if (!stays && ((prospect.lastMoments && !plain && !context.showAll) || isShownAnewInVain(context, prospect))) return;
+  if (!stays && ((prospect.lastMoments && !plain && !context.showAll) || isShownAnewInVain(context, prospect) || isBegunOnFading(context, base))) return;
   candidate.scope = base.scope;
   candidate.base = candidate.foot = candidate.line = base.line.segment;
   candidate.baseScreen = candidate.footScreen = candidate.lineScreen = base.screen;

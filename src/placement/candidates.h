@@ -43,6 +43,7 @@ struct Candidate {
   double leastPx = 0;       ///< length on screen below which it is no place
   int guide = -1;           ///< number of the guide it lies on
   double score = 0;         ///< without the Intersect term
+  bool passing = false;     ///< lost at the first look ahead (Foresight::Prospect)
   double hysteresis = 0;    ///< how much of it is the History's, which says nothing about the place itself
   /// Only the last frame's choice has two: where it would rather lie, and the least, in case its label has no room at the first.
   bool hasSecondOffset = false;

@@ -23,10 +23,10 @@ bool Chooser::choose(const Measured& measured, const ChoiceContext& context, His
   const auto enough = chained ? Enough::kOne : Enough::kAll;
   const auto hasBases = [&](double factor, Enough wanted) {
     factor_ = factor * thresholdFactor(measured, context);
-    return gatherBases(measured, context, wanted);
+    return gatherBases(measured, context, context.view, wanted);
   };
   if (history.hidden() && !hasBases(kShowAgainFactor, Enough::kOne)) return false;
-  if (!hasBases(1, enough) && !(context.dwells(history) && hasBases(kDwellFactor, enough))) return false;
+  if (!hasBases(1, enough) && !((context.dwells(history) || comesBack(measured, context)) && hasBases(kDwellFactor, enough))) return false;
   const CandidateContext candidates{measured.annotation, context.view, context.occupied.padded(), context.occupied.paddedModel(), context.occupied.guides(),
                                     context.objectPlanes, context.viewMoved, history, context.toleranceM, slipPlanes_, context.foresight,
                                     factor_ * leastLengthPx(measured.annotation), nullptr, context.avoid, false, context.showAll, context.sights, measured.textSize, context.kind};
@@ -60,7 +60,7 @@ Chooser::Outside Chooser::chooseOutside(const Measured& measured, const Candidat
   const History& history = candidates.history;
   const bool singleStays = chained && history.last().chain < 0 && history.last().plane >= 0 && history.framesHeld() < framesForSingle(context);
   const auto chooseSingle = [&] {
-    if (chained) gatherBases(measured, context, Enough::kAll);
+    if (chained) gatherBases(measured, context, context.view, Enough::kAll);
     return choose(bases_, candidates);
   };
   if (singleStays && chooseSingle()) return outside;
@@ -73,15 +73,26 @@ Chooser::Outside Chooser::chooseOutside(const Measured& measured, const Candidat
   return outside;
 }
 
-/// The base lines that can be used, by thresholds that are `factor_` times those of constants.h. False when there is none.
-bool Chooser::gatherBases(const Measured& measured, const ChoiceContext& context, Enough enough) {
+/// The base lines that can be used in that view, by thresholds that are `factor_` times those of constants.h. False when there is none.
+bool Chooser::gatherBases(const Measured& measured, const ChoiceContext& context, const View& view, Enough enough) {
   bases_.clear();
   tally_ = {};
   for (const std::size_t scope : measured.scopes) {
     if (enough == Enough::kOne && !bases_.empty()) break;
-    if (context.usable[scope] != 0) gatherBaseLines(measured.annotation, context.scopes[scope], scope, context.view, factor_, bases_, tally_);
+    if (context.usable[scope] != 0) gatherBaseLines(measured.annotation, context.scopes[scope], scope, view, factor_, bases_, tally_);
   }
   return !bases_.empty();
+}
+
+/// Whether what cannot be used now can be at one of the looks ahead while the view turns: it passes its shortest.
+bool Chooser::comesBack(const Measured& measured, const ChoiceContext& context) {
+  const Foresight& foresight = context.foresight;
+  if (foresight.zooms()) return false;
+  const BaseLineTally now = tally_;
+  bool back = false;
+  for (std::size_t look = 0; look < foresight.lookCount() && !back; ++look) back = gatherBases(measured, context, foresight.viewAhead(look), Enough::kOne);
+  tally_ = now;
+  return back;
 }
 
 /// The chain of which one member is dragged: it goes with that member, which stays on its carrier.
@@ -112,7 +123,7 @@ bool Chooser::chooseAgain(const Measured& measured, const CandidateContext& cand
   } else if (!measured.clusters.empty()) {
     // It stood for its chain long enough.
     if (candidates.history.framesHeld() >= framesForSingle(context)) return false;
-    gatherBases(measured, context, Enough::kAll);
+    gatherBases(measured, context, context.view, Enough::kAll);
   }
   CandidateContext again = candidates;
   again.only = &last;
@@ -195,6 +206,7 @@ bool Chooser::chooseInside(const CandidateContext& candidates, const ChoiceConte
   const History& history = candidates.history;
   const auto isFree = [&](const UsableBaseLine& base, bool stays) {
     if (landed.runsInto(base.screen) || landed.coversLabel(base.screen)) return false;
+    if (history.shownAnew() && context.lookAhead.runsIntoInside(base.screen)) return false;   // one that is shown would have to give way, for some frames
     if (context.dwells(history)) return true;
     return !landed.crossesExtension(base.screen) && !landed.runsAlongExtension(base.screen) && (stays || !isBehindModel(candidates, base));
   };

@@ -121,6 +121,7 @@ Foresight::Prospect Foresight::prospect(const Place& place) {
   const bool brief = std::min(cramped, turned) < briefCount_;
   return {.price = lossPrice_ * std::max(shareLeft(lost), kTurnedAwayShare * shareLeft(turned)),
           .brief = brief,
+          .passing = !zooms() && lost == 0,
           .goneSoon = isLostAtOneOf(kLooksAtLastMomentsAnew, gone),
           .outInVain = zooms() ? isLostAtOneOf(kLooksAtLastMomentsComingOut, cramped) : brief,
           .lastMoments = isLostAtOneOf(kLooksAtLastMoments, cramped)};

@@ -35,6 +35,7 @@ class Foresight {
   struct Prospect {
     double price = 0;          ///< px, to be added to the place's score
     bool brief = false;        ///< outside the model: it has no room any more, or its feature has turned away, before the view has turned by kForesightRad or zoomed by kBriefZoom
+    bool passing = false;      ///< while the view turns: lost at the first look ahead
     bool goneSoon = false;     ///< while the camera comes nearer or goes away: what it measures is out of the picture, or too short to be shown, so soon that it is not worth being shown anew (kLooksAtLastMomentsAnew)
     bool outInVain = false;    ///< no place for a line inside the model to come out to, since it would soon be back: a brief one while the view turns; else one without room so soon that kLooksAtLastMomentsComingOut tell it
     bool lastMoments = false;  ///< while the camera comes nearer or goes away: there is room for it so briefly that it is not worth being begun (kLooksAtLastMoments)

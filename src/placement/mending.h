@@ -16,7 +16,7 @@ namespace dimline {
 struct Outcome {
   FrameKind frame;              ///< that all attempts at it share
   double worth = 0;             ///< px, the sum of what the chosen places are worth by themselves (Chooser::worth())
-  double changes = 0;           ///< how many lines left their place of the last frame; a leap counts as kChangesOfLeap
+  double changes = 0;           ///< how many lines left their place of the last frame; a leap counts as kChangesOfLeap, and one to a place that is lost soon as kChangesOfPassing
   int returns = 0;              ///< how many of them went back to what they had left lately
   std::size_t returned = 0;     ///< the rank of the last of those
   int tangles = 0;              ///< how many lines run across another's extension line

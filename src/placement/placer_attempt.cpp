@@ -300,7 +300,7 @@ void Placer::State::judgeChoice(std::size_t rank, const History& history) {
     }
   }
   if (history.any() && !history.stays(winner.identity, away(winner.baseScreen, winner.lineScreen))) {
-    outcome.changes += history.last() == winner.identity ? kChangesOfLeap : 1.0;
+    outcome.changes += history.last() == winner.identity ? kChangesOfLeap : winner.passing ? kChangesOfPassing : 1.0;
     outcome.changed[rank] = 1;
     if (history.leftLately(winner.identity)) {
       ++outcome.returns;

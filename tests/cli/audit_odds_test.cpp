@@ -99,6 +99,10 @@ TEST_CASE("audit: a change that is taken back had to be, or had not") {
   CHECK_FALSE(had({kHiddenAway, kOutside, kOutside, kCrowdedAway}));
   CHECK(had({kOutside, kHiddenAway, kHiddenAway, kOutside}));
   CHECK_FALSE(had({kOutside, kHidden, kHidden, kOutside}));
+  // In the last frame in which it would be taken back it is in view, or only after that.
+  const auto hiddenFor = [&](std::size_t frames) { return had(between(kOutside, kHiddenAway, frames)); };
+  CHECK(hiddenFor(kTakenBackFrames));
+  CHECK_FALSE(hiddenFor(kTakenBackFrames + 1));
 }
 
 }  // namespace

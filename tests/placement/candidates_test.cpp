@@ -50,8 +50,8 @@ Candidate leadingAway(const View& view) {
   return candidate;
 }
 
-/// The candidate of a base line on a plane, when the model covers the picture from a row downwards; nothing when there is none.
-std::optional<Candidate> outsideAbove(int coveredFromPx, const View& view, const Segment& segment, const ScopePlane& plane, const History& history = History(0)) {
+/// The candidate of a base line on a plane, when the model covers the picture from a row downwards, and no line may be shorter than `leastPx`; nothing when there is none.
+std::optional<Candidate> outsideAbove(int coveredFromPx, const View& view, const Segment& segment, const ScopePlane& plane, const History& history = History(0), double leastPx = 0) {
   const DistanceFields model = fieldsCovering({{0, coveredFromPx}, {view.widthPx(), view.heightPx()}}, static_cast<int>(view.widthPx()), static_cast<int>(view.heightPx()));
   Surroundings around;
   around.occupied.begin(model);
@@ -64,7 +64,9 @@ std::optional<Candidate> outsideAbove(int coveredFromPx, const View& view, const
   annotation.slip = Slip::kScope;
   const Sight sight;
   std::vector<Candidate> candidates;
-  gatherOutsideCandidates(around.context(annotation, view, history, {&sight, 1}), base, candidates);
+  CandidateContext context = around.context(annotation, view, history, {&sight, 1});
+  context.leastPx = leastPx;
+  gatherOutsideCandidates(context, base, candidates);
   REQUIRE(candidates.size() <= 1);
   return candidates.empty() ? std::nullopt : std::optional(candidates.front());
 }
@@ -252,7 +254,23 @@ TEST_CASE("an edge that the model hides comes after others, and less so for the 
   CHECK(scoresOf(shown, {0, 0, 0})[3] == Approx(kScoreStay + kScoreStaysBehindModel));
 }
 
-TEST_CASE("a base line of a scope that is going out of sight comes after others, but the one that is shown stays as it is") {
+TEST_CASE("a line that is shown stays in its place where it is a little too short for a new one") {
+  const View view(orbitCamera({0, 0, 0}, 10, 0, 0), 1000, 1000, Bounds{{-1, 0, -100}, {1, 0, 1}});
+  const auto candidate = outsideAbove(400, view, {{-1, 0, 0}, {1, 0, 0}}, {.across = {0, 1, 0}, .normal = {0, 0, 1}});
+  REQUIRE(candidate);
+  const double lengthPx = candidate->lineScreen.length();
+  History there(0);
+  there.choose(candidate->identity, candidate->offsetM);
+  const auto isPlace = [&](double leastPx, const History& history) {
+    return outsideAbove(400, view, {{-1, 0, 0}, {1, 0, 0}}, {.across = {0, 1, 0}, .normal = {0, 0, 1}}, history, leastPx).has_value();
+  };
+  CHECK(isPlace(0.99 * lengthPx, History(0)));
+  CHECK_FALSE(isPlace(1.01 * lengthPx, History(0)));
+  CHECK(isPlace(0.99 * kShowAgainFactor * lengthPx, there));
+  CHECK_FALSE(isPlace(1.01 * kShowAgainFactor * lengthPx, there));
+}
+
+TEST_CASE("nothing is begun on a scope that is going out of sight, where another base line comes after the one that is shown") {
   const View view(orbitCamera({0, 0, 0}, 20, 0, 20), 1000, 1000, Bounds{{-1, 0, -1}, {1, 0, 1}});
   std::array<Sight, 2> sights;
   for (Sight& sight : sights) {
@@ -269,20 +287,29 @@ TEST_CASE("a base line of a scope that is going out of sight comes after others,
   UsableBaseLine base;
   base.line.segment = {{-1, 0, 0}, {1, 0, 0}};
   base.screen = view.toScreen(base.line.segment);
-  const auto scoreOf = [&](std::size_t scope, const History& history, bool showAll = false) {
+  const auto gathered = [&](std::size_t scope, const History& history, bool showAll = false) {
     base.scope = scope;
     base.scopeIndex = static_cast<std::int32_t>(scope);
     std::vector<Candidate> candidates;
     gatherInsideCandidate(around.context(annotation, view, history, sights, showAll), base, boxAt({-1, 0, -1}, {2, 0.1, 2}), true, candidates);
+    return candidates;
+  };
+  const auto scoreOf = [&](std::size_t scope, const History& history, bool showAll = false) {
+    const std::vector<Candidate> candidates = gathered(scope, history, showAll);
     REQUIRE(candidates.size() == 1);
     return candidates.front().score;
   };
   const History none(0);
-  CHECK(scoreOf(1, none) == Approx(scoreOf(0, none) + kScoreFadingScope));
+  CHECK(gathered(1, none).empty());
   CHECK(scoreOf(1, none, true) == scoreOf(0, none, true));
-  History shown(0);
-  shown.choose({.parameter = 0, .scopeIndex = 1, .baseLine = static_cast<std::int16_t>(base.line.number)}, -1);
-  CHECK(scoreOf(1, shown) == Approx(scoreOf(0, none) + kScoreStay));
+  const auto shown = [](std::int32_t scopeIndex, int baseLine) {
+    History history(0);
+    history.choose({.parameter = 0, .scopeIndex = scopeIndex, .baseLine = static_cast<std::int16_t>(baseLine)}, -1);
+    return history;
+  };
+  CHECK(gathered(1, shown(0, base.line.number)).empty());
+  CHECK(scoreOf(1, shown(1, base.line.number)) == Approx(scoreOf(0, none) + kScoreStay));
+  CHECK(scoreOf(1, shown(1, base.line.number + 1)) == Approx(scoreOf(0, none) + kScoreFadingScope));
   annotation.occlusion = false;   // lines on what nobody sees are wanted
   CHECK(scoreOf(1, none) == scoreOf(0, none));
 }

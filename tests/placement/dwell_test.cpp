@@ -65,6 +65,24 @@ TEST_CASE("a line that has come stays for some frames when it has become too sho
   CHECK_FALSE(shorter.at(0.9 * kDwellFactor));
 }
 
+TEST_CASE("while the view turns past its direction a line stays, when it does not shrink too far") {
+  // By how much of the angle that foreshortened lines are hidden by the camera looks down on the line when it looks along it.
+  const auto staysFrom = [&](double share) {
+    Stage stage(plate());
+    bool stays = true;
+    for (int azimuthDeg = 60; azimuthDeg <= 120; ++azimuthDeg) {
+      Camera camera = orbitCamera({0, 0, 0}, 4, azimuthDeg, share * kForeshortenedAngleRad * kDegPerRad);
+      camera.orthoHeightM = 4;
+      stage.look(camera);
+      stays = stays && stage.find("Width") != nullptr;
+    }
+    return stays;
+  };
+  CHECK(staysFrom(1.1));
+  CHECK(staysFrom(1.1 * kDwellFactor));
+  CHECK_FALSE(staysFrom(0.9 * kDwellFactor));
+}
+
 TEST_CASE("a line that has gone comes back when it has had a place for a while, or its feature is in plain view") {
   MovingLook look;
   for (int frame = 0; frame < kDwellFrames; ++frame) REQUIRE(look.at(2, kPartly));

@@ -8,8 +8,6 @@ using namespace dimline;
 
 namespace {
 
-constexpr double kRadPerDeg = 0.017453292519943295;
-
 /// A box 4 wide (x), 3 high and 2 deep (z) around the origin on the ground.
 Bounds boxBounds() {
   Bounds bounds;
@@ -198,6 +196,15 @@ TEST_CASE("what is lost within a turn of kForesightRad, or a zoom of kBriefZoom,
   // Twenty degrees round, what lies so far behind the middle is 5 m, or 4.9 m, to the side.
   CHECK(prospectOutside(turnedBy(0), turnedBy(1), {{0, 1, -14.6}, {0, 2, -14.6}}).brief);
   CHECK_FALSE(prospectOutside(turnedBy(0), turnedBy(1), {{0, 1, -14.3}, {0, 2, -14.3}}).brief);
+}
+
+TEST_CASE("while the view turns, what is lost at the first look ahead only passes through the picture") {
+  // The first look is 6 degrees ahead: then what lies so far behind the middle is at the picture's edge.
+  const double edgeM = 5 / std::sin(6 * kRadPerDeg);
+  const auto passing = [&](double share) { return prospectOutside(turnedBy(-1), turnedBy(0), {{0, 1, -share * edgeM}, {0, 2, -share * edgeM}}).passing; };
+  CHECK(passing(1.05));
+  CHECK_FALSE(passing(0.95));
+  CHECK_FALSE(prospectOutside(seeing(10), seeing(9), rightBy(4.06)).passing);
 }
 
 TEST_CASE("outside the model, what is lost at the next look is in its last moments, while the camera comes nearer") {

@@ -166,6 +166,25 @@ TEST_CASE("inside the model, a line that is cut off comes when it has had room f
   CHECK(other.find("Width") != nullptr);
 }
 
+TEST_CASE("inside the model, a line of what is seen in part does not come in place of one that is there, and one of what is in plain view does") {
+  Stage stage(wallWithMast());
+  ScopeVisibility visibility{.seenShare = {1, 0, 1}, .seenEdges = {}};
+  double heightM = 0;
+  const auto look = [&](double plateShare) {
+    visibility.seenShare[1] = static_cast<float>(plateShare);
+    stage.look(straightAt(heightM += 0.001, kSeenM), 1000, 1000, &visibility);
+  };
+  look(0);
+  for (int frame = 0; frame < kReturnFrames + 2 * kPatienceFrames; ++frame) {
+    look(0.9 * kSeenShareInPlainView);
+    REQUIRE(stage.find("Height") != nullptr);
+    CHECK(stage.find("Width") == nullptr);
+  }
+  look(1);
+  CHECK(stage.find("Height") == nullptr);
+  CHECK(stage.find("Width") != nullptr);
+}
+
 TEST_CASE("inside the model, a line that comes takes a whole base line at once rather than wait with a longer one that is cut off, and keeps it before a still camera") {
   ModelDefinition definition = wallWithMast();
   definition.build = [](const Values&) {
