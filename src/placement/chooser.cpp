@@ -84,13 +84,20 @@ bool Chooser::gatherBases(const Measured& measured, const ChoiceContext& context
   return !bases_.empty();
 }
 
-/// Whether what cannot be used now can be at one of the looks ahead while the view turns: it passes its shortest.
+/// Whether what cannot be used now can be at one of the looks ahead while the view turns, and until then by the lower thresholds: it passes its shortest.
 bool Chooser::comesBack(const Measured& measured, const ChoiceContext& context) {
   const Foresight& foresight = context.foresight;
-  if (foresight.zooms()) return false;
   const BaseLineTally now = tally_;
+  const auto usableAt = [&](std::size_t look, double factor) {
+    factor_ = factor * thresholdFactor(measured, context);
+    return gatherBases(measured, context, foresight.viewAhead(look), Enough::kOne);
+  };
+  const std::size_t looks = foresight.zooms() ? 0 : foresight.lookCount();
   bool back = false;
-  for (std::size_t look = 0; look < foresight.lookCount() && !back; ++look) back = gatherBases(measured, context, foresight.viewAhead(look), Enough::kOne);
+  for (std::size_t look = 0; look < looks && !back; ++look) {
+    back = usableAt(look, 1);
+    if (!back && !usableAt(look, kDwellFactor)) break;
+  }
   tally_ = now;
   return back;
 }
