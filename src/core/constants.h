@@ -200,9 +200,8 @@ inline constexpr int kPatienceFrames = 15;
 /// The same for any line that had no room, or gave way, in a small viewport, where room is what others leave for the moment. Fewer: lines come back to be gone again. More: fewer lines are shown until the movement ends.
 inline constexpr int kPatienceSmallViewportFrames = 30;
 /// Moved frames for which what has come stays, though it would not come now: where it is too short or points at the viewer, by thresholds kDwellFactor times as high (which hold as well, while the view turns, for what would come back at one of
-/// the looks ahead), or inside the model across another's extension line
-/// where it is not in plain view; and for which a line that has gone waits for a place that lasts, unless its feature is in plain view. More than a change that is taken back lasts. Fewer: some are shown, or missing, for
-/// a moment only. More: they are short, or run across extension lines, for longer, and what comes into sight again is late. A lower factor: lines shrink to their arrowheads.
+/// the looks ahead), or inside the model across another's extension line where it is not in plain view; and for which a line that has gone waits for a place that lasts, unless its feature is in plain view. More than a
+/// change that is taken back lasts. Fewer: some are shown, or missing, for a moment only. More: they are short, or run across extension lines, for longer, and what comes into sight again is late. A lower factor: lines shrink to their arrowheads.
 inline constexpr int kDwellFrames = 16;
 inline constexpr double kDwellFactor = 0.5;
 /// Moved frames on end without any line across another's extension line, after which a line inside the model may come out to run across one, in a zoom and not in plain view. Fewer: crowded pictures have more such lines.

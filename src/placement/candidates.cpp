@@ -155,13 +155,14 @@ void keep(const CandidateContext& context, const UsableBaseLine& base, Candidate
   }
   const Identity& identity = candidate.identity;
   if (context.kind.rests() || identity != context.history.last()) {
+    if (isBegunOnFading(context, base)) return;
     const bool chain = base.cluster >= 0;
     const Foresight::Prospect prospect =
         context.foresight.prospect({base.line, context.annotation.slip, candidate.plane, identity.direction, candidate.offsetM, candidate.line,
                                     chain ? 0.0 : context.leastPx, chain ? Vec2(0.0) : context.textSize});
     // No place is begun for its last moments, and a line inside the model does not come out for a moment.
     const bool tooBrief = prospect.lastMoments || (prospect.outInVain && context.history.wasInside()) || (prospect.brief && context.lasting && context.foresight.zooms());
-    if (isShownAnewInVain(context, prospect) || tooBrief || isBegunOnFading(context, base)) return;
+    if (isShownAnewInVain(context, prospect) || tooBrief) return;
     candidate.passing = prospect.passing;
     candidate.score += prospect.price;
     if (!chain && isFading(context, candidate.scope)) candidate.score += kScoreFadingScope;
@@ -349,12 +350,13 @@ void gatherInHand(const CandidateContext& context, const UsableBaseLine& base, c
 
 void gatherInsideCandidate(const CandidateContext& context, const UsableBaseLine& base, const Obb& scope, bool plain,
                            std::vector<Candidate>& candidates) {
+  if (isBegunOnFading(context, base)) return;
   Candidate candidate;
   candidate.identity = {.parameter = context.history.last().parameter, .scopeIndex = base.scopeIndex, .baseLine = static_cast<std::int16_t>(base.line.number)};
   const bool stays = candidate.identity == context.history.last();
   const Foresight::Prospect prospect = context.foresight.prospectInside(base.line.segment, context.leastPx);
   // The one that is shown stays to the last, and what is in plain view keeps a line.
-  if (!stays && ((prospect.lastMoments && !plain && !context.showAll) || isShownAnewInVain(context, prospect) || isBegunOnFading(context, base))) return;
+  if (!stays && ((prospect.lastMoments && !plain && !context.showAll) || isShownAnewInVain(context, prospect))) return;
   candidate.scope = base.scope;
   candidate.base = candidate.foot = candidate.line = base.line.segment;
   candidate.baseScreen = candidate.footScreen = candidate.lineScreen = base.screen;

@@ -21,10 +21,7 @@ bool Chooser::choose(const Measured& measured, const ChoiceContext& context, His
   // A chain moves as a whole, so of its members' base lines it is enough to know that there is one, unless they have to stand for themselves.
   const bool chained = !measured.clusters.empty();
   const auto enough = chained ? Enough::kOne : Enough::kAll;
-  const auto hasBases = [&](double factor, Enough wanted) {
-    factor_ = factor * thresholdFactor(measured, context);
-    return gatherBases(measured, context, context.view, wanted);
-  };
+  const auto hasBases = [&](double factor, Enough wanted) { return gatherBases(measured, context, context.view, factor, wanted); };
   if (history.hidden() && !hasBases(kShowAgainFactor, Enough::kOne)) return false;
   if (!hasBases(1, enough) && !((context.dwells(history) || comesBack(measured, context)) && hasBases(kDwellFactor, enough))) return false;
   const CandidateContext candidates{measured.annotation, context.view, context.occupied.padded(), context.occupied.paddedModel(), context.occupied.guides(),
@@ -84,14 +81,17 @@ bool Chooser::gatherBases(const Measured& measured, const ChoiceContext& context
   return !bases_.empty();
 }
 
+/// The same by thresholds that are `factor` times the parameter's own, now and from then on.
+bool Chooser::gatherBases(const Measured& measured, const ChoiceContext& context, const View& view, double factor, Enough enough) {
+  factor_ = factor * thresholdFactor(measured, context);
+  return gatherBases(measured, context, view, enough);
+}
+
 /// Whether what cannot be used now can be at one of the looks ahead while the view turns, and until then by the lower thresholds: it passes its shortest.
 bool Chooser::comesBack(const Measured& measured, const ChoiceContext& context) {
   const Foresight& foresight = context.foresight;
   const BaseLineTally now = tally_;
-  const auto usableAt = [&](std::size_t look, double factor) {
-    factor_ = factor * thresholdFactor(measured, context);
-    return gatherBases(measured, context, foresight.viewAhead(look), Enough::kOne);
-  };
+  const auto usableAt = [&](std::size_t look, double factor) { return gatherBases(measured, context, foresight.viewAhead(look), factor, Enough::kOne); };
   const std::size_t looks = foresight.zooms() ? 0 : foresight.lookCount();
   bool back = false;
   for (std::size_t look = 0; look < looks && !back; ++look) {

@@ -35,6 +35,7 @@ class Chooser {
  private:
   enum class Enough { kOne, kAll };
   bool gatherBases(const Measured& measured, const ChoiceContext& context, const View& view, Enough enough);
+  bool gatherBases(const Measured& measured, const ChoiceContext& context, const View& view, double factor, Enough enough);
   bool comesBack(const Measured& measured, const ChoiceContext& context);
   enum class Outside { kNone, kWaits, kFound };
   Outside chooseOutside(const Measured& measured, const CandidateContext& candidates, const ChoiceContext& context, History* waits);
