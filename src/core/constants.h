@@ -57,7 +57,9 @@ inline constexpr double kMostReachShareToStay = 0.45;
 inline constexpr double kLeastReachPx = 300.0;
 
 /// A line hidden as too short or foreshortened is shown again when it passes the threshold by this factor, so that it does not come and go at its edge; and one that is shown stays in its place outside where it is shorter by it.
+/// The second is for one that has gone within kDwellFrames moved frames: at so much more than the threshold nobody disputes that it is long enough. Lower: it comes back, for short, when nobody misses it.
 inline constexpr double kShowAgainFactor = 1.18;
+inline constexpr double kShowAgainLatelyFactor = 1.25;
 
 /// px. While all is shown, a line must still have a direction on screen.
 inline constexpr double kShowAllLengthPx = 1.5;
@@ -170,7 +172,7 @@ inline constexpr double kScoreHiddenScope = -10.0 * kHandleSpacingPx;
 inline constexpr std::size_t kMendingAttempts = 3;
 /// One in so many attempts in another order goes back to the shortest first. Fewer: an order of long ago stays when it no longer helps. More: it costs time.
 inline constexpr int kShortestFirstEvery = 3;
-/// Attempts more at a frame in which lines run across others' extension lines, each drawn at random: who looks for another place on another side, and the order, in which at most so many lines come before a
+/// Attempts more at a frame in which lines run across others' extension lines, or go back to what they left lately, each drawn at random: who looks for another place on another side, and the order, in which at most so many lines come before a
 /// shorter one. Fewer: more such lines, which stay for longer. More: a tenth fewer of them, and a few changes of place more, for twice as many; each costs a frame with such lines about half as much time as
 /// placing it.
 inline constexpr int kShuffles = 24;

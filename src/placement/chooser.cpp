@@ -22,7 +22,7 @@ bool Chooser::choose(const Measured& measured, const ChoiceContext& context, His
   const bool chained = !measured.clusters.empty();
   const auto enough = chained ? Enough::kOne : Enough::kAll;
   const auto hasBases = [&](double factor, Enough wanted) { return gatherBases(measured, context, context.view, factor, wanted); };
-  if (history.hidden() && !hasBases(kShowAgainFactor, Enough::kOne)) return false;
+  if (history.hidden() && !hasBases(history.wentLately() ? kShowAgainLatelyFactor : kShowAgainFactor, Enough::kOne)) return false;
   if (!hasBases(1, enough) && !((context.dwells(history) || comesBack(measured, context)) && hasBases(kDwellFactor, enough))) return false;
   const CandidateContext candidates{measured.annotation, context.view, context.occupied.padded(), context.occupied.paddedModel(), context.occupied.guides(),
                                     context.objectPlanes, context.viewMoved, history, context.toleranceM, slipPlanes_, context.foresight,

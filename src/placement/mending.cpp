@@ -73,7 +73,8 @@ std::optional<Attempt> Mending::next(const Outcome& outcome, bool shortestFirst)
   }
   const FrameKind& frame = outcome.frame;
   const int most = frame.settles ? kShufflesSettling : frame.isFirst ? kShufflesAtFirst : kShuffles;
-  if (shuffles_ == most || outcome.outside.size() < 2 || (outcome.tangled.empty() && !frame.settles)) return std::nullopt;
+  const bool wanted = frame.settles || !outcome.tangled.empty() || outcome.returns > 0;
+  if (!wanted || shuffles_ == most || outcome.outside.size() < 2) return std::nullopt;
   ++shuffles_;
   return shuffle(outcome);
 }

@@ -60,8 +60,9 @@ class Mending {
   /// What is to be tried next, nothing when that was all. `outcome`: of the best attempt so far; `shortestFirst`: whether it placed the shortest lines first.
   /// First one line looks for another place: one that has just changed its place, since what pushed it may have a better place as well, or else, every kFramesToLookAround frames, any; otherwise
   /// those with which something is amiss, in turns. In a picture that rests each does, one after the other, up to kLooksAtRest. Then a line that went back to what it had left lately comes before who else has
-  /// changed its place; or else, of two lines that are in a tangle, the later one comes first, in turns; or, now and then, the shortest first again, if it is not so. Where any are in a tangle kShuffles attempts at
-  /// random (kShufflesAtFirst in a first picture), and where lines settle kShufflesSettling in any case, come last: of what those in turns do not find they find as much as any other rule did, and they do not try the same in every frame.
+  /// changed its place; or else, of two lines that are in a tangle, the later one comes first, in turns; or, now and then, the shortest first again, if it is not so. Where any are in a tangle, or go
+  /// back to what they had left, kShuffles attempts at random (kShufflesAtFirst in a first picture), and where lines settle kShufflesSettling in any case, come last: of what those in turns do not find they find as much as any other
+  /// rule did, and they do not try the same in every frame.
   std::optional<Attempt> next(const Outcome& outcome, bool shortestFirst);
 
  private:

@@ -1,4 +1,5 @@
 #include <catch2/catch.hpp>
+#include <cmath>
 
 #include "support/stage.h"
 
@@ -83,6 +84,21 @@ TEST_CASE("while the view turns past its direction a line stays, when it does no
   CHECK(goneFor(1.1 * kDwellFactor) == 0);
   // One that does shrink too far is gone as long as the ordinary thresholds say, not for a moment.
   CHECK(goneFor(0.1 * kDwellFactor) > 2 * kForeshortenedAngleRad * kDegPerRad - 2);
+}
+
+TEST_CASE("a line that has gone lately must be longer to come back than one that has been gone for long") {
+  const double between = std::sqrt(kShowAgainFactor * kShowAgainLatelyFactor);
+  MovingLook look;
+  REQUIRE(look.at(2));
+  REQUIRE_FALSE(look.at(0.9 * kDwellFactor));
+  SECTION("lately") {
+    CHECK_FALSE(look.at(between));
+    CHECK(look.at(1.01 * kShowAgainLatelyFactor));
+  }
+  SECTION("long after") {
+    for (int frame = 1; frame < kDwellFrames; ++frame) REQUIRE_FALSE(look.at(0.9 * kDwellFactor));
+    CHECK(look.at(between));
+  }
 }
 
 TEST_CASE("a line that has gone comes back when it has had a place for a while, or its feature is in plain view") {

@@ -43,10 +43,10 @@ std::vector<Attempt> attemptsAt(Mending& mending, const Outcome& outcome, bool s
   return attempts;
 }
 
-/// Those that come in turn, before what is drawn at random where lines are in a tangle.
+/// Those that come in turn, before what is drawn at random where lines are in a tangle or go back.
 std::vector<Attempt> attemptsInTurn(Mending& mending, const Outcome& outcome, bool shortestFirst = true) {
   std::vector<Attempt> attempts = attemptsAt(mending, outcome, shortestFirst);
-  if (!outcome.tangled.empty()) {
+  if (!outcome.tangled.empty() || outcome.returns > 0) {
     REQUIRE(attempts.size() >= kShuffles);
     attempts.resize(attempts.size() - kShuffles);
   }
@@ -267,6 +267,19 @@ TEST_CASE("where lines are in a tangle, more is tried at random: other places an
   CHECK(both > 0);
   CHECK(std::ranges::any_of(drawn, &Attempt::shortestFirst));
   CHECK_FALSE(std::ranges::all_of(drawn, &Attempt::shortestFirst));
+}
+
+TEST_CASE("where a line goes back to what it had left lately, more is tried at random too") {
+  Outcome outcome = allOutside();
+  outcome.changed = {1, 1, 0, 0};
+  Mending mending;
+  CHECK(ordersOf(attemptsAt(mending, outcome)).empty());
+  outcome.returns = 1;
+  outcome.returned = 1;
+  const std::vector<Attempt> attempts = attemptsAt(mending, outcome);
+  REQUIRE(attempts.size() == 2 + kShuffles);   // who has changed looks, and another order in turn
+  CHECK_FALSE(attempts[1].otherSide);
+  CHECK(std::all_of(attempts.begin() + 2, attempts.end(), [](const Attempt& attempt) { return attempt.otherSide; }));
 }
 
 TEST_CASE("what is tried at random is the same in every flight, and not the same in every frame") {
