@@ -253,7 +253,7 @@ void FrameAudit::searches() {
       offend(AuditRow::kNeedlesslyInside, nameOf(i), place->seesAnEdge ? 1 : 0,
              "there is room around (" + formatFixed(middle.x, 0) + ", " + formatFixed(middle.y, 0) + ")" +
                  (place->seesAnEdge ? "" : ", which no viewport edge sees whole"),
-             frame_.odds != nullptr && frame_.odds->hasBriefRoom(lines_[i].parameter, frame_.number));
+             frame_.odds != nullptr && frame_.odds->lacksLastingRoom(lines_[i].parameter, frame_.number));
     }
   }
 }

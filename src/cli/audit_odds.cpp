@@ -32,13 +32,13 @@ AuditedFrame Odds::at(std::size_t frame) {
   return {&model_, &scene_, &layouts_[frame], &mask_, &depth_};
 }
 
-bool Odds::hasRoom(std::size_t frame, std::size_t parameter) {
+bool Odds::hasRoom(std::size_t frame, std::size_t parameter, PlacesWanted wanted) {
   const Sort sort = sortIn(frame, parameter);
   if (sort != Sort::kInside) return sort == Sort::kOutside;
   const std::vector<PlacedLine>& lines = layouts_[frame].lines;
   const AuditedFrame audited = at(frame);
   for (std::size_t i = 0; i < lines.size(); ++i) {
-    if (lines[i].parameter == parameter && !isOutside(lines[i]) && outsidePlace(audited, i)) return true;
+    if (lines[i].parameter == parameter && !isOutside(lines[i]) && outsidePlace(audited, i, wanted)) return true;
   }
   return false;
 }
@@ -62,8 +62,9 @@ bool Odds::isBrief(std::size_t parameter, std::size_t frame, Holds holds) const 
   return names_[first - 1].leg == names_[end].leg && sortIn(first - 1, parameter) == sortIn(end, parameter);
 }
 
-bool Odds::hasBriefRoom(std::size_t parameter, std::size_t frame) {
-  return isBrief(parameter, frame, [&](std::size_t i) { return hasRoom(i, parameter); });
+bool Odds::lacksLastingRoom(std::size_t parameter, std::size_t frame) {
+  const auto hasClearRoom = [&](std::size_t i) { return hasRoom(i, parameter, PlacesWanted::kClear); };
+  return !hasClearRoom(frame) || isBrief(parameter, frame, hasClearRoom);
 }
 
 bool Odds::isBrieflyInView(std::size_t parameter, std::size_t frame) {
@@ -86,7 +87,7 @@ bool Odds::hadToGoBack(std::size_t parameter, std::size_t changed, std::size_t b
     return cannotBeShown(changed, parameter) && anyInPlainView(back, changed + kTakenBackFrames + 1);
   }
   if (before == after || !isLineOf(parameter)) return false;
-  return !hasRoom(before == Sort::kInside ? back : changed, parameter);
+  return !hasRoom(before == Sort::kInside ? back : changed, parameter, PlacesWanted::kAll);
 }
 
 }  // namespace dimline

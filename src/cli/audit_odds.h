@@ -12,8 +12,9 @@ namespace dimline {
 
 /// Tells which offences are at odds with another row: a placer that did without the one would commit another. Lines may
 /// not lie inside where there is room outside, nor may features in plain view be without a line; but room that is gone
-/// within kTakenBackFrames, or a feature that is in view for no longer, makes a change that is taken back. Looks at the
-/// frames before and after, at each for itself, as the audit's slow searches see them.
+/// within kTakenBackFrames, or a feature that is in view for no longer, makes a change that is taken back, and room
+/// where another line runs across one's extension lines makes such a crossing. Looks at the frames before and after, at
+/// each for itself, with all other lines where they are, as the audit's slow searches see them.
 class Odds {
 public:
   /// Of one flight; `names` belong to `layouts` one to one. All must outlive this.
@@ -21,9 +22,9 @@ public:
       : model_(model), scene_(scene), layouts_(layouts), names_(names) {}
 
   /// A line of the parameter is inside in that frame though there is room outside (AuditRow::kNeedlesslyInside):
-  /// whether there is room for at most kTakenBackFrames, between frames of the same movement in which it is inside for
-  /// want of it.
-  [[nodiscard]] bool hasBriefRoom(std::size_t parameter, std::size_t frame);
+  /// whether there is no room clear of other lines (PlacesWanted::kClear), or for at most kTakenBackFrames, between
+  /// frames of the same movement in which it is inside for want of it.
+  [[nodiscard]] bool lacksLastingRoom(std::size_t parameter, std::size_t frame);
 
   /// The parameter is hidden in that frame though a feature of it is in plain view (AuditRow::kUnshown): whether one is
   /// for at most kTakenBackFrames, between frames of the same movement in which it is hidden and none is.
@@ -39,7 +40,7 @@ private:
   [[nodiscard]] Sort sortIn(std::size_t frame, std::size_t parameter) const;
   [[nodiscard]] bool isLineOf(std::size_t parameter) const;
   /// Whether it is outside, or there is room for it there.
-  [[nodiscard]] bool hasRoom(std::size_t frame, std::size_t parameter);
+  [[nodiscard]] bool hasRoom(std::size_t frame, std::size_t parameter, PlacesWanted wanted);
   [[nodiscard]] bool isInPlainView(std::size_t frame, std::size_t parameter);
   /// Whether it is hidden for what its feature looks like, and not for want of room.
   [[nodiscard]] bool cannotBeShown(std::size_t frame, std::size_t parameter);

@@ -78,6 +78,7 @@ public:
       const PlacedLine& line = frame.layout->lines[i];
       if (i == except || line.parameter == self.parameter) continue;
       (isOutside(line) ? far_ : near_).push_back(line.lineScreen);
+      lines_.push_back(line.lineScreen);
       for (const auto* extension : {&line.extensionStart, &line.extensionEnd}) {
         for (std::size_t k = 1; k < extension->size(); ++k) near_.push_back({(*extension)[k - 1], (*extension)[k]});
       }
@@ -95,6 +96,14 @@ public:
     if (within(far_, kHandleSpacingPx) || within(near_, kSmallClearancePx)) return false;
     return std::ranges::none_of(
         labels_, [&](const Box2& label) { return enters(line, label.grown(kSmallClearancePx + kTouchPx)); });
+  }
+
+  /// Whether one of them runs across the extension lines of a line there.
+  [[nodiscard]] bool crossExtensionsOf(const Segment2& line, const Segment2& base) const {
+    const std::array extensions{Segment2{base.start, line.start}, Segment2{base.end, line.end}};
+    return std::ranges::any_of(lines_, [&](const Segment2& other) {
+      return crossEachOther(other, extensions[0]) || crossEachOther(other, extensions[1]);
+    });
   }
 
   /// Whether a text of that size has room on a line, beside it, or beyond its ends.
@@ -131,9 +140,10 @@ private:
 
   const MaskPicture& mask_;
   const View& view_;
-  std::vector<Segment2> far_;   ///< outside lines, from which another keeps handleSpacing
-  std::vector<Segment2> near_;  ///< extension lines, and lines inside
-  std::vector<Box2> labels_;    ///< and handles that are no lines
+  std::vector<Segment2> lines_;  ///< outside and inside
+  std::vector<Segment2> far_;    ///< outside lines, from which another keeps handleSpacing
+  std::vector<Segment2> near_;   ///< extension lines, and lines inside
+  std::vector<Box2> labels_;     ///< and handles that are no lines
 };
 
 Vec2 labelSize(const PlacedLine& line) {
@@ -169,7 +179,7 @@ double radiusOnScreenPx(const View& view, const Obb& box) {
 /// The first place on the way from a base line in one direction.
 std::optional<OutsidePlace> placeOnTheWay(const AuditedFrame& frame, const Obstacles& obstacles,
                                           const Annotation& annotation, const Segment& base, const Vec3& direction,
-                                          const Vec2& textSize) {
+                                          const Vec2& textSize, PlacesWanted wanted) {
   const View& view = frame.layout->view;
   const auto baseScreen = project(view, base);
   if (!baseScreen) return std::nullopt;
@@ -181,7 +191,8 @@ std::optional<OutsidePlace> placeOnTheWay(const AuditedFrame& frame, const Obsta
       return std::nullopt;
     }
     if (screen->length() > leastLengthPx(annotation) && obstacles.haveRoomFor(*screen) &&
-        obstacles.haveRoomForLabelOf(*screen, textSize) && frame.mask->outside(screen->middle())) {
+        obstacles.haveRoomForLabelOf(*screen, textSize) && frame.mask->outside(screen->middle()) &&
+        (wanted == PlacesWanted::kAll || !obstacles.crossExtensionsOf(*screen, *baseScreen))) {
       return OutsidePlace{*screen, frame.mask->seesAnEdge(*screen)};
     }
     offsetM += kPlaceStepPx * view.metresPerPixelAt(line.middle());
@@ -241,7 +252,7 @@ std::optional<double> offsetRatio(const AuditedFrame& frame, std::size_t number)
   return 1.0;
 }
 
-std::optional<OutsidePlace> outsidePlace(const AuditedFrame& frame, std::size_t number) {
+std::optional<OutsidePlace> outsidePlace(const AuditedFrame& frame, std::size_t number, PlacesWanted wanted) {
   const Layout& layout = *frame.layout;
   const PlacedLine& line = layout.lines[number];
   const Annotation& annotation = *frame.model->annotations[line.parameter];
@@ -256,7 +267,7 @@ std::optional<OutsidePlace> outsidePlace(const AuditedFrame& frame, std::size_t 
           !contains(layout.view.viewport(), layout.view.toScreen(base.middle())))
         continue;
       for (const Vec3& direction : slipDirections(annotation, box, base, layout.view)) {
-        const auto place = placeOnTheWay(frame, obstacles, annotation, base, direction, textSize);
+        const auto place = placeOnTheWay(frame, obstacles, annotation, base, direction, textSize, wanted);
         if (place) return place;
       }
     }

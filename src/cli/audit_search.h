@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -38,8 +39,12 @@ struct OutsidePlace {
   Segment2 screen;
   bool seesAnEdge = false;  ///< all of it is visible straight from one edge of the viewport
 };
+/// Which places are looked for: all that there is room for, or only those where no other line would run across one's
+/// extension lines (AuditRow::kExtensionCrossings). That one runs across those of others makes it no place at all.
+enum class PlacesWanted : std::uint8_t { kAll, kClear };
 /// A place where the line of that number, which lies inside, could be outside (AuditRow::kNeedlesslyInside).
-std::optional<OutsidePlace> outsidePlace(const AuditedFrame& frame, std::size_t line);
+std::optional<OutsidePlace> outsidePlace(const AuditedFrame& frame, std::size_t line,
+                                         PlacesWanted wanted = PlacesWanted::kAll);
 
 /// Whether two lines inside that cross, or lie on each other, have no other way: each base line of the one in view, of a
 /// visible scope, crosses or lies on each of the other's. False unless both are of the linear types.

@@ -10,10 +10,11 @@ namespace dimline::test {
 namespace {
 
 /// What one frame of a steady movement shows of parameter A.
-enum class Seen { kInsideFull, kInside, kOutside, kHiddenAway, kHidden, kCrowdedAway };
+enum class Seen { kInsideFull, kInside, kInsideFenced, kInsideHalfFenced, kOutside, kHiddenAway, kHidden, kCrowdedAway };
 
 /// A flight over the stage: in a frame of kInsideFull the block fills the picture and A lies on it, in one of
-/// kHiddenAway the block is beside the picture and A is hidden for that; in all others there is room round the block.
+/// kHiddenAway the block is beside the picture and A is hidden for that; in all others there is room round the block,
+/// when it is fenced only where the extension lines of A would run across another line, or on the one side only.
 struct OddsStage {
   Stage stage;
   std::vector<Layout> layouts;
@@ -39,6 +40,8 @@ struct OddsStage {
           line.placement = PlacementKind::kInside;
           line.planeKind = PlaneKind::kNone;
         }
+        if (seen[f] == Seen::kInsideFenced || seen[f] == Seen::kInsideHalfFenced) stage.add(kC, vertical(85, 110, 90));
+        if (seen[f] == Seen::kInsideFenced) stage.add(kC, vertical(315, 110, 90));
         layout.lines = stage.layout.lines;
       }
       layouts.push_back(layout);
@@ -57,7 +60,7 @@ std::vector<Seen> between(Seen ends, Seen middle, std::size_t count) {
 
 TEST_CASE("audit: room that is gone at once is at odds with changes that are taken back") {
   const auto brief = [](const std::vector<Seen>& seen, const std::vector<int>& legs = {}) {
-    return OddsStage(seen, legs).odds().hasBriefRoom(kA, 2);
+    return OddsStage(seen, legs).odds().lacksLastingRoom(kA, 2);
   };
   CHECK(brief(between(Seen::kInsideFull, Seen::kInside, kTakenBackFrames)));
   CHECK_FALSE(brief(between(Seen::kInsideFull, Seen::kInside, kTakenBackFrames + 1)));
@@ -71,6 +74,19 @@ TEST_CASE("audit: room that is gone at once is at odds with changes that are tak
   CHECK_FALSE(brief({kHiddenAway, kInside, kInside, kInsideFull}));
   CHECK_FALSE(brief({kInsideFull, kInside, kInside, kInsideFull}, {0, 0, 0, 1}));
   CHECK_FALSE(brief({kInside, kInside, kInside, kInsideFull}));
+}
+
+TEST_CASE("audit: room behind other lines only is at odds with lines that run across extension lines") {
+  using enum Seen;
+  const auto lacks = [](const std::vector<Seen>& seen) { return OddsStage(seen).odds().lacksLastingRoom(kA, 2); };
+  CHECK(lacks({kInside, kInside, kInsideFenced, kInside}));
+  CHECK_FALSE(lacks({kInside, kInside, kInsideHalfFenced, kInside}));
+  // It is none in the frames before and after either.
+  CHECK(lacks(between(kInsideFenced, kInside, kTakenBackFrames)));
+  CHECK_FALSE(lacks(between(kInsideFenced, kInside, kTakenBackFrames + 1)));
+  // For what had to go back it is room as any other.
+  CHECK(OddsStage({kInsideFull, kOutside, kOutside, kInsideFull}).odds().hadToGoBack(kA, 1, 3));
+  CHECK_FALSE(OddsStage({kInsideFenced, kOutside, kOutside, kInsideFenced}).odds().hadToGoBack(kA, 1, 3));
 }
 
 TEST_CASE("audit: a feature that is gone at once is at odds with appearances that are taken back") {
