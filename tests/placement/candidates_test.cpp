@@ -40,6 +40,8 @@ struct Surroundings {
   }
 };
 
+constexpr Bounds kBounds{{-6, -6, -1}, {6, 6, 1}};
+
 /// A line across the picture, some way out from its base line on a plane that leads away from the viewer: further out it is shorter on screen.
 Candidate leadingAway(const View& view) {
   Candidate candidate;
@@ -50,12 +52,14 @@ Candidate leadingAway(const View& view) {
   return candidate;
 }
 
-/// The candidate of a base line on a plane, when the model covers the picture from a row downwards, and no line may be shorter than `leastPx`; nothing when there is none.
-std::optional<Candidate> outsideAbove(int coveredFromPx, const View& view, const Segment& segment, const ScopePlane& plane, const History& history = History(0), double leastPx = 0) {
+/// The candidate of a base line on a plane, when the model covers the picture from a row downwards, and no line may be shorter than `leastPx`; nothing when there is none. `before`: the last frame's view.
+std::optional<Candidate> outsideAbove(int coveredFromPx, const View& view, const Segment& segment, const ScopePlane& plane, const History& history = History(0), double leastPx = 0,
+                                      const std::optional<View>& before = std::nullopt) {
   const DistanceFields model = fieldsCovering({{0, coveredFromPx}, {view.widthPx(), view.heightPx()}}, static_cast<int>(view.widthPx()), static_cast<int>(view.heightPx()));
   Surroundings around;
   around.occupied.begin(model);
   around.occupied.clear();
+  around.foresight.begin(before, view, kBounds, {}, 1e-9);
   UsableBaseLine base;
   base.line.segment = segment;
   base.line.scopePlanes.push_back(plane);
@@ -170,6 +174,28 @@ TEST_CASE("a line lies no further across the picture from its base line than wit
     CHECK(above(450, kLeastReachPx - 2).has_value());
     CHECK_FALSE(above(450, kLeastReachPx + 2).has_value());
   }
+}
+
+TEST_CASE("a line whose base line is partly out of the picture lies where it comes into the picture, but not while the camera comes nearer") {
+  // 100 px a metre; the base line begins 50 px beyond the picture's left edge, and its line goes to the right as fast as upwards.
+  const auto viewOf = [](double heightM) {
+    Camera camera;
+    camera.eye = {0, 0, 10};
+    camera.orthoHeightM = heightM;
+    return View(camera, 1000, 1000, kBounds);
+  };
+  const auto placed = [&](int coveredFromPx, const std::optional<View>& before = std::nullopt) {
+    return outsideAbove(coveredFromPx, viewOf(10), {{-5.5, 0, 0}, {-2, 0, 0}}, {.across = {std::sqrt(0.5), std::sqrt(0.5), 0}, .normal = {0, 0, 1}}, History(0), 0, before);
+  };
+  const auto low = placed(490);
+  REQUIRE(low.has_value());
+  CHECK(low->lineScreen.start.x == Approx(kViewportMarginPx).margin(0.01));
+  // Where it clears the model further out only, it lies there.
+  const auto high = placed(400);
+  REQUIRE(high.has_value());
+  CHECK(high->lineScreen.start.y == Approx(400 - kHandleSpacingPx).margin(1));
+  CHECK_FALSE(placed(490, viewOf(10.1)).has_value());
+  CHECK(placed(400, viewOf(10.1)).has_value());
 }
 
 TEST_CASE("a line that looks for another place takes all but its own, and one that looks on another side none on its own side either") {
