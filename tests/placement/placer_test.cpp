@@ -459,6 +459,49 @@ TEST_CASE("what cannot be shown says why") {
   CHECK(hidden->reason == HiddenReason::kTooShort);
 }
 
+TEST_CASE("what is hidden by the model in all its scopes, or has none, says so") {
+  ModelDefinition doors = measuring({"@Handle(scope=Door, type=linear-contour, orient=right, slip=scope)", "@Handle(scope=Gate, type=linear-contour, orient=right, slip=scope)"},
+                                    [](const Values&) {
+                                      Scene scene = sceneOf({{"Door", boxAt({-2, 0, 0}, {1, 2, 0.1})}, {"Door", boxAt({1, 0, 0}, {1, 2, 0.1})}});
+                                      scene.scopes[1].index = 1;
+                                      return scene;
+                                    });
+  Stage stage(doors);
+  const auto reason = [&](std::string_view name) -> std::optional<HiddenReason> {
+    const auto hidden = std::ranges::find(stage.layout.hidden, findParameter(stage.model.parameters(), name).value(), &HiddenParameter::parameter);
+    return hidden == stage.layout.hidden.end() ? std::nullopt : std::optional(hidden->reason);
+  };
+  ScopeVisibility visibility{.seenShare = {0, 0}, .seenEdges = {}};
+  stage.look(straightAt(1, 10), 1000, 1000, &visibility);
+  CHECK(stage.layout.lines.empty());
+  CHECK(reason("Width") == HiddenReason::kOccluded);
+  CHECK(reason("Height") == HiddenReason::kNoScope);
+
+  Stage oneSeen(doors);
+  visibility.seenShare[1] = 1;
+  oneSeen.look(straightAt(1, 10), 1000, 1000, &visibility);
+  REQUIRE(oneSeen.find("Width") != nullptr);
+  CHECK(oneSeen.find("Width")->scope == 1);
+}
+
+TEST_CASE("a line is shown from the least length on that its annotation asks for") {
+  const auto shownAt = [](double px, const char* more) {
+    Stage stage(measuring({"@Handle(scope=Plate, type=linear-contour, orient=right, slip=scope" + std::string(more) + ")"},
+                          [](const Values&) { return sceneOf({{"Plate", boxAt({-0.5, 0, 0}, {1, 1, 0.1})}}); }));
+    stage.look(straightAt(0.5, 1000 / px));
+    if (stage.find("Width") != nullptr) return true;
+    REQUIRE(stage.layout.hidden.size() == 1);
+    CHECK(stage.layout.hidden.front().reason == HiddenReason::kTooShort);
+    return false;
+  };
+  CHECK_FALSE(shownAt(79, ", min-length=80"));
+  CHECK(shownAt(81, ", min-length=80"));
+  CHECK(shownAt(79, ""));
+  // Never shorter than any line may be.
+  CHECK_FALSE(shownAt(kMinLineLengthPx - 0.5, ", min-length=1"));
+  CHECK(shownAt(kMinLineLengthPx + 0.5, ", min-length=1"));
+}
+
 TEST_CASE("a camera inside the model gives a layout without a NaN") {
   Stage stage(boxWithDoor());
   int lines = 0;

@@ -1,5 +1,8 @@
 #include <catch2/catch.hpp>
 
+#include <utility>
+#include <vector>
+
 #include "placement/score.h"
 
 using namespace dimline;
@@ -22,15 +25,25 @@ TEST_CASE("Dist and LenCandidate: middle to middle, and the length on screen") {
 }
 
 TEST_CASE("SSAlign is the cosine to the preferred direction") {
-  ScoreInput in = plain();
-  in.align = Align::kRight;
-  CHECK(score(in) == Approx(-38.2 + 90.0));
-  in.align = Align::kLeft;
-  CHECK(score(in) == Approx(-38.2 - 90.0));
-  in.align = Align::kTop;
-  CHECK(score(in) == Approx(-38.2));
-  in.align = Align::kBottomRight;
-  CHECK(score(in) == Approx(-38.2 + 90.0 * 0.70710678));
+  // The candidate lies straight to the right.
+  constexpr double kDiagonal = 0.70710678;
+  using enum Align;
+  for (const auto& [align, cosine] : std::vector<std::pair<Align, double>>{{kNone, 0}, {kRight, 1}, {kLeft, -1}, {kTop, 0}, {kBottom, 0}, {kTopRight, kDiagonal}, {kBottomRight, kDiagonal},
+                                                                          {kTopLeft, -kDiagonal}, {kBottomLeft, -kDiagonal}}) {
+    ScoreInput in = plain();
+    in.align = align;
+    INFO(static_cast<int>(align));
+    CHECK(score(in) == Approx(-38.2 + 90.0 * cosine));
+  }
+  // One straight below it tells top from bottom: rows grow downwards.
+  ScoreInput below;
+  below.base = {{100, 100}, {200, 100}};
+  below.candidate = {{100, 140}, {200, 140}};
+  for (const auto& [align, cosine] : std::vector<std::pair<Align, double>>{{kBottom, 1}, {kTop, -1}, {kBottomLeft, kDiagonal}, {kBottomRight, kDiagonal}, {kTopLeft, -kDiagonal}, {kTopRight, -kDiagonal}}) {
+    below.align = align;
+    INFO(static_cast<int>(align));
+    CHECK(score(below) == Approx(-38.0 + 90.0 * cosine));
+  }
 }
 
 TEST_CASE("Damp rewards the last frame's choice") {
@@ -46,6 +59,10 @@ TEST_CASE("Plane prefers front to back, and leaves billboards alone") {
   CHECK(score(in) == Approx(-38.2 + 90.0));
   in.facing = Facing::kBack;
   CHECK(score(in) == Approx(-38.2 + 45.0));
+  in.planeKind = PlaneKind::kObject;
+  CHECK(score(in) == Approx(-38.2 + 45.0));
+  in.facing = Facing::kFront;
+  CHECK(score(in) == Approx(-38.2 + 90.0));
   in.planeKind = PlaneKind::kBillboard;
   CHECK(score(in) == Approx(-38.2));
 }
