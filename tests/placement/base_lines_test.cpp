@@ -1,6 +1,8 @@
 #include <catch2/catch.hpp>
 
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include "placement/base_lines.h"
 #include "placement/slip_planes.h"
@@ -88,11 +90,19 @@ TEST_CASE("an orientation against the axis turns the line round: its moving end 
   }
 }
 
-TEST_CASE("left and right run along the scope's x, front and back along its z") {
-  const BaseLines right = baseLines(annotated(HandleType::kLinearContour, Orient::kRight), turnedBox(), anyView());
-  CHECK(right[0].segment.end - right[0].segment.start == Vec3(0, 0, -4));
-  const BaseLines back = baseLines(annotated(HandleType::kLinearContour, Orient::kBack), turnedBox(), anyView());
-  CHECK(back[0].segment.end - back[0].segment.start == Vec3(-2, 0, 0));
+TEST_CASE("each orientation runs along one of the scope's axes, one way or the other") {
+  // x is the world's -z and 4 long, y 3, z the world's +x and 2.
+  using enum Orient;
+  for (const auto& [orient, way] : std::vector<std::pair<Orient, Vec3>>{{kRight, {0, 0, -4}}, {kLeft, {0, 0, 4}}, {kUp, {0, 3, 0}}, {kDown, {0, -3, 0}}, {kFront, {2, 0, 0}}, {kBack, {-2, 0, 0}}}) {
+    INFO(static_cast<int>(orient));
+    const BaseLines edges = baseLines(annotated(HandleType::kLinearContour, orient), turnedBox(), anyView());
+    REQUIRE(edges.size() == 4);
+    for (const BaseLine& edge : edges) CHECK(edge.segment.end - edge.segment.start == way);
+    const BaseLines middle = baseLines(annotated(HandleType::kLinearCenter, orient), turnedBox(), anyView());
+    REQUIRE(middle.size() == 1);
+    CHECK(middle[0].segment.end - middle[0].segment.start == way);
+    CHECK(middle[0].segment.middle() == Vec3(11, 1.5, 3));
+  }
 }
 
 TEST_CASE("linear-center is one line through the middle") {
@@ -159,6 +169,59 @@ TEST_CASE("radial: four halves of the diameters, from the centre to the rim") {
     CHECK(line.segment.length() == Approx(1.0));
   }
   CHECK(glm::length(lines[0].segment.end + lines[1].segment.end - 2.0 * lines[0].segment.start) < 1e-12);
+}
+
+TEST_CASE("diameters and radii of a lying cylinder stand on its two ends") {
+  // Along x, seen from above: its ends are discs in y and z of half axes 1.5 and 1, and a diameter at right angles to the view lies along z.
+  const Obb box{.origin = {-2, 0, -1}, .size = {4, 3, 2}};
+  Camera above;
+  above.eye = {0, 50, 0};
+  above.target = {0, 1.5, 0};
+  above.up = {0, 0, -1};
+  const View view(above, 1000, 1000, Bounds{{-2, 0, -1}, {2, 3, 1}});
+  const BaseLines diameters = baseLines(annotated(HandleType::kDiametric, Orient::kRight), box, view);
+  REQUIRE(diameters.size() == 2);
+  const BaseLines radii = baseLines(annotated(HandleType::kRadial, Orient::kRight), box, view);
+  REQUIRE(radii.size() == 4);
+  for (const double x : {-2.0, 2.0}) {
+    const auto onThatEnd = [&](const BaseLines& lines) {
+      std::vector<Segment> found;
+      for (const BaseLine& line : lines) {
+        if (std::abs(line.segment.middle().x - x) < 1e-9) found.push_back(line.segment);
+      }
+      return found;
+    };
+    const auto whole = onThatEnd(diameters), halves = onThatEnd(radii);
+    REQUIRE(whole.size() == 1);
+    CHECK(glm::length(whole[0].middle() - Vec3(x, 1.5, 0)) < 1e-9);
+    CHECK(std::abs(whole[0].end.z - whole[0].start.z) > 1.99);
+    REQUIRE(halves.size() == 2);
+    for (const Segment& half : halves) {
+      CHECK(glm::length(half.start - Vec3(x, 1.5, 0)) < 1e-9);
+      CHECK(std::abs(std::abs(half.end.z) - 1) < 0.01);
+    }
+    CHECK(halves[0].end.z * halves[1].end.z < 0);
+  }
+}
+
+TEST_CASE("the diameters of a sphere upright, and its radii level") {
+  const Obb box{.origin = {-1, 0, -2}, .size = {2, 3, 4}};   // inscribed sphere: radius 1 around (0, 1.5, 0)
+  const View view = frontView({0, 1.5, 30}, {0, 1.5, 0});
+  const BaseLines upright = baseLines(annotated(HandleType::kSphericalDiametric, Orient::kVertical), box, view);
+  REQUIRE(upright.size() == 2);
+  for (const BaseLine& line : upright) {
+    CHECK(glm::length(line.segment.middle() - Vec3(0, 1.5, 0)) < 1e-9);
+    CHECK(std::abs(line.segment.end.y - line.segment.start.y) == Approx(2.0));
+  }
+  const BaseLines level = baseLines(annotated(HandleType::kSphericalRadial, Orient::kHorizontal), box, view);
+  REQUIRE(level.size() == 4);
+  int toTheRight = 0;
+  for (const BaseLine& line : level) {
+    CHECK(line.segment.start.y == Approx(line.segment.end.y));
+    CHECK(line.segment.length() == Approx(1.0));
+    toTheRight += line.segment.middle().x > 0 ? 1 : 0;
+  }
+  CHECK(toTheRight == 2);
 }
 
 TEST_CASE("the spherical types lie on the outline of the inscribed sphere, level or upright on screen") {

@@ -1,5 +1,8 @@
 #include <catch2/catch.hpp>
 
+#include <cmath>
+#include <limits>
+
 #include "placement/object_planes.h"
 
 using namespace dimline;
@@ -49,6 +52,15 @@ TEST_CASE("the hull of a box's base lines, extruded, is the box: four sides and 
   }
 }
 
+TEST_CASE("the hull of an L on the ground has five sides: it goes straight across the notch") {
+  std::vector<Segment> lines;
+  for (const Vec2 corner : {Vec2(0, 0), Vec2(4, 0), Vec2(4, 1), Vec2(1, 1), Vec2(1, 4), Vec2(0, 4)}) lines.push_back({{corner.x, 0, corner.y}, {corner.x, 3, corner.y}});
+  const auto planes = objectPlanes(lines, Bounds{{0, 0, 0}, {4, 3, 4}});
+  REQUIRE(planes.size() == 7);   // and two caps
+  const ObjectPlane& across = planes[numberOf(planes, glm::normalize(Vec3(1, 0, 1)))];
+  CHECK(glm::dot(across.plane.point, across.plane.normal) == Approx(5 * std::sqrt(0.5)));
+}
+
 TEST_CASE("base lines on one line on the ground give no planes") {
   const std::vector<Segment> line{{{0, 0, 0}, {0, 3, 0}}, {{2, 0, 0}, {2, 3, 0}}};
   CHECK(objectPlanes(line, boxBounds()).empty());
@@ -66,6 +78,33 @@ TEST_CASE("planes towards the viewer are front, those away back, and those edge-
   CHECK(uses[numberOf(planes, {0, 0, 1})] == ObjectPlaneUse::kFront);
   CHECK(uses[numberOf(planes, {1, 0, 0})] == ObjectPlaneUse::kLeftOut);
   CHECK(uses[numberOf(planes, {0, 1, 0})] == ObjectPlaneUse::kLeftOut);
+}
+
+TEST_CASE("a plane is left out while it is within 0.1 rad of edge-on") {
+  const auto planes = objectPlanes(uprights(), boxBounds());
+  const auto useAt = [&](double rad) {
+    Camera camera;
+    camera.target = {0, 1.5, 0};
+    camera.eye = camera.target + 30.0 * Vec3(std::sin(rad), 0, std::cos(rad));
+    camera.orthoHeightM = 10;
+    std::vector<ObjectPlaneUse> uses;
+    facePlanes(planes, View(camera, 1000, 1000, boxBounds()), uses);
+    return uses[numberOf(planes, {1, 0, 0})];
+  };
+  CHECK(useAt(0.101) == ObjectPlaneUse::kFront);
+  CHECK(useAt(0.099) == ObjectPlaneUse::kLeftOut);
+  CHECK(useAt(-0.099) == ObjectPlaneUse::kLeftOut);
+  CHECK(useAt(-0.101) == ObjectPlaneUse::kBack);
+}
+
+TEST_CASE("a back plane ends at its back neighbour, and its front neighbour leaves it alone") {
+  const auto planes = objectPlanes(uprights(), boxBounds());
+  std::vector<ObjectPlaneUse> uses;
+  facePlanes(planes, lookFrom({20, 1.5, 30}), uses);   // back: -x and -z
+  const Segment middle{{0, 0, -1}, {0, 3, -1}};
+  const OffsetRange range = offsetsWithin(planes, uses, numberOf(planes, {0, 0, -1}), middle, {1, 0, 0}, 0);
+  CHECK(range.lowM == Approx(-2.0));
+  CHECK(range.highM == std::numeric_limits<double>::infinity());
 }
 
 TEST_CASE("a front plane ends at its front neighbour and goes on past its free side") {
