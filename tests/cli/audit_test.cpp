@@ -502,6 +502,13 @@ TEST_CASE("audit: random flights use every sort of lens and come back") {
     anyLarge = anyLarge || flight.widthPx == 3840;
     CHECK(camera.fovRad >= 0.2 / 57.3);
     CHECK(camera.fovRad <= 100 / 57.2);
+    // In the middle the model, which is as large as that, leaves the picture on all sides; in the end it is as large again as it was.
+    const auto sizePx = [&](const Camera& at) { return 4 / View(at, flight.widthPx, flight.heightPx, bounds).metresPerPixelAt(bounds.center()); };
+    const auto nearest = std::ranges::max_element(flight.cameras, {}, sizePx);
+    CHECK(sizePx(*nearest) > std::max(flight.widthPx, flight.heightPx));
+    CHECK(nearest != flight.cameras.begin());
+    CHECK(sizePx(flight.cameras.back()) < 1.03 * sizePx(camera));
+    CHECK(sizePx(flight.cameras.back()) > 0.97 * sizePx(camera));
   }
   CHECK((anyOrtho && anyNarrow && anyWide && anySmall && anyLarge));
 }

@@ -504,7 +504,7 @@ TEST_CASE("from the offset on the line clears the field, and just before it does
   }
 }
 
-TEST_CASE("moving, mirroring and scaling everything moves the answer along") {
+TEST_CASE("a base line the other way round has the same answer, and scaling everything scales it") {
   Random random(14);
   int tested = 0;
   for (int round = 0; round < 800; ++round) {

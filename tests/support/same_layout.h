@@ -17,9 +17,13 @@ inline bool sameLine(const PlacedLine& a, const PlacedLine& b) {
          a.extensionStart == b.extensionStart && a.extensionEnd == b.extensionEnd;
 }
 
+inline bool sameHandle(const PlacedHandle& a, const PlacedHandle& b) {
+  return a.identity == b.identity && a.box.min == b.box.min && a.box.max == b.box.max && a.placement == b.placement;
+}
+
 inline bool sameLayout(const Layout& a, const Layout& b) {
-  return a.lines.size() == b.lines.size() && a.hidden.size() == b.hidden.size() &&
-         std::equal(a.lines.begin(), a.lines.end(), b.lines.begin(), sameLine);
+  const auto sameHidden = [](const HiddenParameter& one, const HiddenParameter& other) { return one.parameter == other.parameter && one.reason == other.reason; };
+  return std::ranges::equal(a.lines, b.lines, sameLine) && std::ranges::equal(a.others, b.others, sameHandle) && std::ranges::equal(a.hidden, b.hidden, sameHidden);
 }
 
 /// The same choices, wherever they lie by now.
