@@ -118,6 +118,7 @@ void printAudit(const Model& model, const AuditPart& part, std::size_t worst, st
     for (const OffenceGroup& group : part.placed.worst(row.row, worst)) printGroup(group, out);
   }
   out << met << " of " << measured << " aims met.\n";
+  out << "(-: not measured. Of lines that are fixed in the world it is known that they do not look for a better place.)\n";
 }
 
 void writeAudit(JsonWriter& json, const Model& model, const std::vector<AuditPart>& parts, std::size_t worst) {

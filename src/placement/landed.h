@@ -21,7 +21,8 @@ inline std::array<Segment2, kExtensionParts> extensionParts(const Segment2& base
 constexpr bool isLastPart(std::size_t number) { return number % kExtensionParts < 2; }
 
 /// What has been placed so far in this frame, as it lies on screen: the exact side of what the fields know by strips. Answers the score's Intersect term,
-/// whether a label has room, and whether a line may lie on a guide.
+/// whether a label has room, and whether a line may lie on a guide. It stands for the flags that the paper keeps with the fields' values (4.5, figure 16): those tell that a line
+/// comes to where an earlier one has changed a strip, this tells whether the two cross.
 class Landed {
  public:
   /// There is room for so many from the start: inside the model are none in most frames, and then suddenly some.
