@@ -98,7 +98,7 @@ public:
         labels_, [&](const Box2& label) { return enters(line, label.grown(kSmallClearancePx + kTouchPx)); });
   }
 
-  /// Whether one of them runs across the extension lines of a line there.
+  /// Whether a line runs across the extension lines of one that would lie there.
   [[nodiscard]] bool crossExtensionsOf(const Segment2& line, const Segment2& base) const {
     const std::array extensions{Segment2{base.start, line.start}, Segment2{base.end, line.end}};
     return std::ranges::any_of(lines_, [&](const Segment2& other) {
