@@ -39,7 +39,7 @@ private:
   enum class Sort : std::uint8_t { kHidden, kInside, kOutside };
   [[nodiscard]] Sort sortIn(std::size_t frame, std::size_t parameter) const;
   [[nodiscard]] bool isLineOf(std::size_t parameter) const;
-  /// Whether it is outside, or there is room for it there.
+  /// Whether it is outside, or there is room of that sort for it there.
   [[nodiscard]] bool hasRoom(std::size_t frame, std::size_t parameter, PlacesWanted wanted);
   [[nodiscard]] bool isInPlainView(std::size_t frame, std::size_t parameter);
   /// Whether it is hidden for what its feature looks like, and not for want of room.

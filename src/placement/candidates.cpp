@@ -74,31 +74,24 @@ double mostReachPx(const CandidateContext& context, const Candidate& candidate) 
   return std::max(diagonalPx * (candidate.identity == context.history.last() ? kMostReachShareToStay : kMostReachShare), kLeastReachPx);
 }
 
-/// Offsets in the candidate's direction, m; none when `leastM` is more than `mostM`.
-struct InViewOffsets {
-  double leastM, mostM;
-};
-
-/// The offsets at which both ends lie in front of the near plane, within the viewport's margin, and within reach of the base line's ends. Each side of a box on screen bounds
+/// The offsets at which both ends lie in front of the near plane, within the viewport's margin, and within reach of the base line's ends; from 0 on, along the candidate's direction. Each side of a box on screen bounds
 /// the offset by a linear inequality, since homogeneous pixels are linear in the world. From below it bounds a line that comes into the picture further out, where its base line is partly out of it; not in a zoom,
 /// where such a line would be at the picture's edge and slide along it in leaps.
-InViewOffsets offsetsInView(const CandidateContext& context, const Candidate& candidate) {
+OffsetRange offsetsInView(const CandidateContext& context, const Candidate& candidate) {
   const View& view = context.view;
   const Box2 inside = view.viewport().grown(-kViewportMarginPx);
   const double reachPx = mostReachPx(context, candidate);
   const Vec3 perMetre = view.worldToPixels() * Vec4(candidate.outward, 0.0);
-  const bool comesIntoPicture = !context.foresight.zooms();
-  constexpr InViewOffsets kNone{1, -1};
-  InViewOffsets range{0, candidate.mostM};
+  OffsetRange range{0, candidate.mostM};
   const auto bound = [&](double atFoot, double perM) {
-    if (perM < 0) range.mostM = std::min(range.mostM, atFoot / -perM);
-    if (perM > 0 && comesIntoPicture) range.leastM = std::max(range.leastM, -atFoot / perM);
-    if (perM == 0 && atFoot < 0) range = kNone;
+    if (perM < 0) range.highM = std::min(range.highM, atFoot / -perM);
+    if (perM > 0 && !context.foresight.zooms()) range.lowM = std::max(range.lowM, -atFoot / perM);
+    if (perM == 0 && atFoot < 0) range.highM = -1;
   };
   const auto boundEnd = [&](const Vec3& foot, const Vec2& base) {
     const Vec3 h = view.worldToPixels() * Vec4(foot, 1.0);
     const Vec2 low = glm::max(inside.min, base - reachPx), high = glm::min(inside.max, base + reachPx);
-    if (low.x > high.x || low.y > high.y) range = kNone;
+    if (low.x > high.x || low.y > high.y) range.highM = -1;
     for (int axis = 0; axis < 2; ++axis) {
       bound(h[axis] - low[axis] * h.z, perMetre[axis] - low[axis] * perMetre.z);
       bound(high[axis] * h.z - h[axis], high[axis] * perMetre.z - perMetre[axis]);
@@ -107,7 +100,7 @@ InViewOffsets offsetsInView(const CandidateContext& context, const Candidate& ca
   };
   boundEnd(candidate.foot.start, candidate.baseScreen.start);
   boundEnd(candidate.foot.end, candidate.baseScreen.end);
-  return {range.leastM * (1 + kRoundingShare), range.mostM * (1 - kRoundingShare)};
+  return {range.lowM * (1 + kRoundingShare), range.highM * (1 - kRoundingShare)};
 }
 
 /// The least offset in the candidate's direction at which its plane has room.
@@ -311,7 +304,7 @@ void gatherGuideCandidates(const CandidateContext& context, const UsableBaseLine
       const Guide& guide = context.guides[i];
       if (!liesOn(guide, slipping.plane.plane, along, context.toleranceM)) continue;
       Candidate candidate = slipping;
-      candidate.mostM = offsetsInView(context, candidate).mostM;
+      candidate.mostM = offsetsInView(context, candidate).highM;
       const double offsetM = glm::dot(guide.point - candidate.foot.start, candidate.outward);
       if (!(offsetM > 0) || offsetM < leastRoomM(candidate)) continue;
       const auto slide = Slide::make(context.view, candidate.foot, candidate.outward);
@@ -327,11 +320,11 @@ void gatherGuideCandidates(const CandidateContext& context, const UsableBaseLine
 void gatherOutsideCandidates(const CandidateContext& context, const UsableBaseLine& base, std::vector<Candidate>& candidates) {
   forEachSlip(context, base, [&](Candidate& candidate) {
     const auto slide = Slide::make(context.view, candidate.foot, candidate.outward);
-    const InViewOffsets inView = offsetsInView(context, candidate);
-    if (!slide || inView.leastM > inView.mostM) return;
-    candidate.mostM = inView.mostM;
+    const OffsetRange inView = offsetsInView(context, candidate);
+    if (!slide || inView.lowM > inView.highM) return;
+    candidate.mostM = inView.highM;
     // What clears at the least offset clears at every greater one, so a plane whose part begins further out, or a line that comes into the picture there, is used from there.
-    const double offsetM = std::max({leastClearingOffset(context.padded, *slide, candidate.mostM), leastRoomM(candidate), inView.leastM});
+    const double offsetM = std::max({leastClearingOffset(context.padded, *slide, candidate.mostM), leastRoomM(candidate), inView.lowM});
     if (offsetM <= candidate.mostM) keepOutside(context, base, candidate, *slide, offsetM, candidates);
   });
 }
@@ -341,8 +334,8 @@ void gatherGapCandidates(const CandidateContext& context, const UsableBaseLine& 
   forEachSlip(context, base, [&](Candidate& candidate) {
     const auto slide = Slide::make(context.view, candidate.foot, candidate.outward);
     if (!slide) return;
-    const InViewOffsets inView = offsetsInView(context, candidate);
-    const auto gap = nearestGap(context.padded, *slide, std::max(leastRoomM(candidate), inView.leastM), inView.mostM);
+    const OffsetRange inView = offsetsInView(context, candidate);
+    const auto gap = nearestGap(context.padded, *slide, std::max(leastRoomM(candidate), inView.lowM), inView.highM);
     if (!gap) return;
     candidate.mostM = gap->toM;
     keepOutside(context, base, candidate, *slide, gap->fromM, candidates);

@@ -25,11 +25,11 @@ struct Front {
 };
 Scene wallWith(const std::vector<Front>& fronts) {
   Scene scene = sceneOf({{"Wall", boxAt({-4, -10, -1}, {8, 12, 0.9})}});
-  std::uint32_t index = 0;
   for (const Front& front : fronts) {
     const Obb box = boxAt({front.xM, front.yM, -0.1}, {front.widthM, front.heightM, 0.1});
     addBox(scene, box);
-    scene.scopes.push_back({front.scope, index++, box});
+    const auto before = std::ranges::count(scene.scopes, front.scope, &Scope::name);
+    scene.scopes.push_back({front.scope, static_cast<std::uint32_t>(before), box});
   }
   finish(scene);
   return scene;

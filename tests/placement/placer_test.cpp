@@ -413,30 +413,24 @@ TEST_CASE("a line that was hidden is not shown for a feature that is about to go
 
 TEST_CASE("what cannot be shown says why") {
   Stage stage(boxWithDoor());
-  const auto reason = [&](std::string_view name) {
-    for (const HiddenParameter& hidden : stage.layout.hidden) {
-      if (stage.model.parameters()[hidden.parameter].name == name) return hidden.reason;
-    }
-    return HiddenReason::kNoScope;
-  };
   Camera front;
   front.eye = {0, 2.5, 40};
   front.target = {0, 2.5, 0};
   front.orthoHeightM = 20;
   stage.look(front);
-  CHECK(reason("Depth") == HiddenReason::kForeshortened);
+  CHECK(stage.reasonFor("Depth") == HiddenReason::kForeshortened);
 
   Camera away = front;
   away.target = {0, 2.5, 80};
   away.orthoHeightM.reset();
   stage.look(away);
   CHECK(stage.layout.lines.empty());
-  CHECK(reason("Width") == HiddenReason::kOutOfView);
+  CHECK(stage.reasonFor("Width") == HiddenReason::kOutOfView);
   CHECK(stage.layout.visibleScopes.empty());
 
   stage.look(orbitCamera({0, 2.5, 0}, 3000, 35, 20));
   CHECK(stage.layout.lines.empty());
-  CHECK(reason("Height") == HiddenReason::kTooShort);
+  CHECK(stage.reasonFor("Height") == HiddenReason::kTooShort);
 
   // Of several doors the one in sight says why: it is too short, though others are hidden by the model.
   ModelDefinition doors = boxWithDoor();
@@ -454,9 +448,7 @@ TEST_CASE("what cannot be shown says why") {
   visibility.seenShare.assign(two.scene.scopes.size(), 1.0F);
   visibility.seenShare.back() = 0;
   two.look(orbitCamera({0, 2.5, 0}, 3000, 35, 20), 1000, 1000, &visibility);
-  const auto hidden = std::ranges::find(two.layout.hidden, findParameter(two.model.parameters(), "DoorHeight").value(), &HiddenParameter::parameter);
-  REQUIRE(hidden != two.layout.hidden.end());
-  CHECK(hidden->reason == HiddenReason::kTooShort);
+  CHECK(two.reasonFor("DoorHeight") == HiddenReason::kTooShort);
 }
 
 TEST_CASE("what is hidden by the model in all its scopes, or has none, says so") {
@@ -467,15 +459,11 @@ TEST_CASE("what is hidden by the model in all its scopes, or has none, says so")
                                       return scene;
                                     });
   Stage stage(doors);
-  const auto reason = [&](std::string_view name) -> std::optional<HiddenReason> {
-    const auto hidden = std::ranges::find(stage.layout.hidden, findParameter(stage.model.parameters(), name).value(), &HiddenParameter::parameter);
-    return hidden == stage.layout.hidden.end() ? std::nullopt : std::optional(hidden->reason);
-  };
   ScopeVisibility visibility{.seenShare = {0, 0}, .seenEdges = {}};
   stage.look(straightAt(1, 10), 1000, 1000, &visibility);
   CHECK(stage.layout.lines.empty());
-  CHECK(reason("Width") == HiddenReason::kOccluded);
-  CHECK(reason("Height") == HiddenReason::kNoScope);
+  CHECK(stage.reasonFor("Width") == HiddenReason::kOccluded);
+  CHECK(stage.reasonFor("Height") == HiddenReason::kNoScope);
 
   Stage oneSeen(doors);
   visibility.seenShare[1] = 1;
@@ -491,7 +479,7 @@ TEST_CASE("a line is shown from the least length on that its annotation asks for
     stage.look(straightAt(0.5, 1000 / px));
     if (stage.find("Width") != nullptr) return true;
     REQUIRE(stage.layout.hidden.size() == 1);
-    CHECK(stage.layout.hidden.front().reason == HiddenReason::kTooShort);
+    CHECK(stage.reasonFor("Width") == HiddenReason::kTooShort);
     return false;
   };
   CHECK_FALSE(shownAt(79, ", min-length=80"));

@@ -25,25 +25,23 @@ TEST_CASE("Dist and LenCandidate: middle to middle, and the length on screen") {
 }
 
 TEST_CASE("SSAlign is the cosine to the preferred direction") {
-  // The candidate lies straight to the right.
   constexpr double kDiagonal = 0.70710678;
   using enum Align;
-  for (const auto& [align, cosine] : std::vector<std::pair<Align, double>>{{kNone, 0}, {kRight, 1}, {kLeft, -1}, {kTop, 0}, {kBottom, 0}, {kTopRight, kDiagonal}, {kBottomRight, kDiagonal},
-                                                                          {kTopLeft, -kDiagonal}, {kBottomLeft, -kDiagonal}}) {
-    ScoreInput in = plain();
-    in.align = align;
-    INFO(static_cast<int>(align));
-    CHECK(score(in) == Approx(-38.2 + 90.0 * cosine));
-  }
-  // One straight below it tells top from bottom: rows grow downwards.
+  const auto check = [](ScoreInput in, double without, const std::vector<std::pair<Align, double>>& cosines) {
+    for (const auto& [align, cosine] : cosines) {
+      in.align = align;
+      INFO(static_cast<int>(align));
+      CHECK(score(in) == Approx(without + 90.0 * cosine));
+    }
+  };
+  // The candidate lies straight to the right.
+  check(plain(), -38.2,
+        {{kNone, 0}, {kRight, 1}, {kLeft, -1}, {kTop, 0}, {kBottom, 0}, {kTopRight, kDiagonal}, {kBottomRight, kDiagonal}, {kTopLeft, -kDiagonal}, {kBottomLeft, -kDiagonal}});
+  // One straight below its base line tells top from bottom: rows grow downwards.
   ScoreInput below;
   below.base = {{100, 100}, {200, 100}};
   below.candidate = {{100, 140}, {200, 140}};
-  for (const auto& [align, cosine] : std::vector<std::pair<Align, double>>{{kBottom, 1}, {kTop, -1}, {kBottomLeft, kDiagonal}, {kBottomRight, kDiagonal}, {kTopLeft, -kDiagonal}, {kTopRight, -kDiagonal}}) {
-    below.align = align;
-    INFO(static_cast<int>(align));
-    CHECK(score(below) == Approx(-38.0 + 90.0 * cosine));
-  }
+  check(below, -38.0, {{kBottom, 1}, {kTop, -1}, {kBottomLeft, kDiagonal}, {kBottomRight, kDiagonal}, {kTopLeft, -kDiagonal}, {kTopRight, -kDiagonal}});
 }
 
 TEST_CASE("Damp rewards the last frame's choice") {

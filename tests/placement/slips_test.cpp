@@ -29,6 +29,14 @@ ModelDefinition boxInBox(std::initializer_list<std::string> annotations) {
   });
 }
 
+/// The only parameter that the tests look at is the first.
+const PlacedLine& lineSeenFrom(Stage& stage, const Camera& camera) {
+  stage.look(camera);
+  const PlacedLine* line = stage.find("Width");
+  REQUIRE(line != nullptr);
+  return *line;
+}
+
 void checkSame(const Vec3& found, const Vec3& expected) {
   INFO(found.x << " " << found.y << " " << found.z << " for " << expected.x << " " << expected.y << " " << expected.z);
   CHECK(glm::length(found - expected) < 0.01);
@@ -38,64 +46,55 @@ void checkSame(const Vec3& found, const Vec3& expected) {
 
 TEST_CASE("slip scope: the line lies in the plane of a face, handleSpacing out from the model") {
   Stage stage(boxInBox({"@Handle(scope=Outer, type=linear-contour, orient=right, slip=scope, align=bottom)"}));
-  stage.look(cameraFrom(0, 20));
-  const PlacedLine* line = stage.find("Width");
-  REQUIRE(line != nullptr);
-  CHECK(line->planeKind == PlaneKind::kScope);
-  CHECK(line->facing == Facing::kFront);
-  checkSame(line->base.start, {-1, -1, 1});
+  const PlacedLine& line = lineSeenFrom(stage, cameraFrom(0, 20));
+  CHECK(line.planeKind == PlaneKind::kScope);
+  CHECK(line.facing == Facing::kFront);
+  checkSame(line.base.start, {-1, -1, 1});
   // A metre down the front face is cos 20 degrees of 100 px.
   const double outM = kSpacingM / std::cos(20 * kRadPerDeg);
-  checkSame(line->line.start, {-1, -1 - outM, 1});
-  checkSame(line->line.end, {1, -1 - outM, 1});
-  checkSame(line->foot.start, line->base.start);
+  checkSame(line.line.start, {-1, -1 - outM, 1});
+  checkSame(line.line.end, {1, -1 - outM, 1});
+  checkSame(line.foot.start, line.base.start);
 }
 
 TEST_CASE("slip object: the line lies in a face of the hull, and its extension lines bend there") {
   // Seen from 20 degrees above the hull's faces to the viewer are the front and the top; the sides are edge-on.
   Stage stage(boxInBox({"@Handle(scope=Inner, type=linear-contour, orient=right, slip=object, align=bottom)", "@Handle(scope=Outer, type=linear-contour, orient=up, slip=object)",
                         "@Handle(scope=Outer, type=linear-contour, orient=front, slip=object)"}));
-  stage.look(cameraFrom(0, 20));
-  const PlacedLine* line = stage.find("Width");
-  REQUIRE(line != nullptr);
-  CHECK(line->planeKind == PlaneKind::kObject);
-  CHECK(line->facing == Facing::kFront);
-  CHECK(std::abs(line->base.start.x + 0.5) < 1e-9);
-  CHECK(std::abs(std::abs(line->base.start.z) - 0.5) < 1e-9);
-  checkSame(line->foot.start, {-0.5, line->base.start.y, 1});
+  const PlacedLine& line = lineSeenFrom(stage, cameraFrom(0, 20));
+  CHECK(line.planeKind == PlaneKind::kObject);
+  CHECK(line.facing == Facing::kFront);
+  CHECK(std::abs(line.base.start.x + 0.5) < 1e-9);
+  CHECK(std::abs(std::abs(line.base.start.z) - 0.5) < 1e-9);
+  checkSame(line.foot.start, {-0.5, line.base.start.y, 1});
   const double outM = kSpacingM / std::cos(20 * kRadPerDeg);
-  checkSame(line->line.start, {-0.5, -1 - outM, 1});
-  checkSame(line->line.end, {0.5, -1 - outM, 1});
-  REQUIRE(line->extensionStart.size() == 3);
-  const auto at = [&](std::size_t i, const Vec3& p) { CHECK(glm::length(line->extensionStart[i] - stage.layout.view.toScreen(p)) < 0.5); };
-  at(0, line->base.start);
-  at(1, line->foot.start);
-  at(2, line->line.start);
+  checkSame(line.line.start, {-0.5, -1 - outM, 1});
+  checkSame(line.line.end, {0.5, -1 - outM, 1});
+  REQUIRE(line.extensionStart.size() == 3);
+  const auto at = [&](std::size_t i, const Vec3& p) { CHECK(glm::length(line.extensionStart[i] - stage.layout.view.toScreen(p)) < 0.5); };
+  at(0, line.base.start);
+  at(1, line.foot.start);
+  at(2, line.line.start);
 }
 
 TEST_CASE("slip billboard: the line lies in the plane through its base line that faces the viewer") {
   Stage stage(boxInBox({"@Handle(scope=Outer, type=linear-center, orient=up, slip=billboard, align=left)"}));
   // The box's outline is sqrt 2 m to the left of its middle, seen at its edge.
-  stage.look(cameraFrom(45, 0));
-  const PlacedLine* line = stage.find("Width");
-  REQUIRE(line != nullptr);
-  CHECK(line->planeKind == PlaneKind::kBillboard);
-  checkSame(line->base.start, {0, -1, 0});
+  const PlacedLine& line = lineSeenFrom(stage, cameraFrom(45, 0));
+  CHECK(line.planeKind == PlaneKind::kBillboard);
+  checkSame(line.base.start, {0, -1, 0});
   const Vec3 left{-std::sqrt(0.5), 0, std::sqrt(0.5)};
-  checkSame(line->line.start, Vec3(0, -1, 0) + left * (std::sqrt(2.0) + kSpacingM));
-  checkSame(line->line.end, Vec3(0, 1, 0) + left * (std::sqrt(2.0) + kSpacingM));
+  checkSame(line.line.start, Vec3(0, -1, 0) + left * (std::sqrt(2.0) + kSpacingM));
+  checkSame(line.line.end, Vec3(0, 1, 0) + left * (std::sqrt(2.0) + kSpacingM));
   // And turns with the viewer.
-  stage.look(cameraFrom(0, 0));
-  checkSame(stage.find("Width")->line.start, {-1 - kSpacingM, -1, 0});
+  checkSame(lineSeenFrom(stage, cameraFrom(0, 0)).line.start, {-1 - kSpacingM, -1, 0});
 }
 
 TEST_CASE("slip none: the line is the base line") {
   Stage stage(boxInBox({"@Handle(scope=Outer, type=linear-contour, orient=right, slip=none)"}));
-  stage.look(cameraFrom(0, 20));
-  const PlacedLine* line = stage.find("Width");
-  REQUIRE(line != nullptr);
-  CHECK(line->planeKind == PlaneKind::kNone);
-  CHECK(line->placement == PlacementKind::kInside);
-  checkSame(line->line.start, line->base.start);
-  checkSame(line->line.end, line->base.end);
+  const PlacedLine& line = lineSeenFrom(stage, cameraFrom(0, 20));
+  CHECK(line.planeKind == PlaneKind::kNone);
+  CHECK(line.placement == PlacementKind::kInside);
+  checkSame(line.line.start, line.base.start);
+  checkSame(line.line.end, line.base.end);
 }

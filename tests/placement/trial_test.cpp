@@ -46,7 +46,7 @@ struct Among {
     line.line = {{0, 0, 0}, {1, 0, 0}};
     occupied.add(line, occupied.addGuide({{0, 0, 0}, {0, 0, 1}}, line.line));
   }
-  [[nodiscard]] double score(double enough = -std::numeric_limits<double>::infinity()) const {
+  [[nodiscard]] double score() const {
     Foresight still;
     const ChoiceContext context{.view = view,
                                 .model = model,
@@ -59,7 +59,7 @@ struct Among {
                                 .usable = {},
                                 .sights = {},
                                 .kind = {}};
-    return Trial::amongOthers(candidate, measured, context, enough).score;
+    return Trial::amongOthers(candidate, measured, context, -std::numeric_limits<double>::infinity()).score;
   }
 };
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "placement/placer.h"
 #include "silhouette/cpu_fields.h"
@@ -37,6 +38,13 @@ struct Stage {
       if (nameOf(line) == name) return &line;
     }
     return nullptr;
+  }
+  /// Why a parameter is not shown; nothing when it is, or no reason is given.
+  [[nodiscard]] std::optional<HiddenReason> reasonFor(std::string_view name) const {
+    for (const HiddenParameter& hidden : layout.hidden) {
+      if (model.parameters()[hidden.parameter].name == name) return hidden.reason;
+    }
+    return std::nullopt;
   }
 };
 
