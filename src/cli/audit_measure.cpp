@@ -18,13 +18,34 @@ constexpr double kOffsetOffence = 1.5;
 constexpr double kLengthsDiffer = 0.01;
 constexpr double kNearerPx = 1.0;
 
+constexpr int kArcChords = 32;
+
 std::string px(double value) { return formatFixed(value, 1) + " px"; }
+
+/// What of a handle that is no line is drawn as lines: nothing, unless it is an arc.
+struct DrawnArc {
+  std::vector<Segment2> curve;
+  std::vector<Segment2> arms;  ///< hairlines from its centre, as extension lines are
+};
+
+DrawnArc drawn(const PlacedHandle& handle, const View& view) {
+  DrawnArc drawn;
+  if (!handle.arc) return drawn;
+  const Arc& arc = *handle.arc;
+  const auto at = [&](int chord) { return view.toScreen(arc.at(arc.angleRad * chord / kArcChords)); };
+  for (int i = 0; i < kArcChords; ++i) drawn.curve.push_back({at(i), at(i + 1)});
+  const Vec2 center = view.toScreen(arc.center);
+  drawn.arms = {{center, at(0)}, {center, at(kArcChords)}};
+  return drawn;
+}
 
 /// One frame's measuring: what its parts share.
 class FrameAudit {
 public:
   FrameAudit(const AuditedFrame& frame, const FrameName& name, AuditTally& tally)
-      : frame_(frame), layout_(*frame.layout), lines_(frame.layout->lines), name_(name), tally_(tally) {}
+      : frame_(frame), layout_(*frame.layout), lines_(frame.layout->lines), name_(name), tally_(tally) {
+    for (const PlacedHandle& handle : layout_.others) arcs_.push_back(drawn(handle, layout_.view));
+  }
 
   void againstModel();
   void againstEachOther();
@@ -37,6 +58,9 @@ public:
 private:
   [[nodiscard]] const std::string& nameOf(std::size_t line) const {
     return frame_.model->parameters()[lines_[line].parameter].name;
+  }
+  [[nodiscard]] const std::string& otherName(std::size_t other) const {
+    return frame_.model->parameters()[layout_.others[other].parameter].name;
   }
   [[nodiscard]] std::string names(std::size_t a, std::size_t b) const {
     return parameterNames(*frame_.model, lines_[a].parameter, lines_[b].parameter);
@@ -51,6 +75,7 @@ private:
   void offend(AuditRow row, const std::string& who, double badness, const std::string& what, bool atOdds = false) {
     tally_.offend(row, who, badness, name_, what, atOdds);
   }
+  void otherHandleOutside(std::size_t i);
   void crossing(std::size_t a, std::size_t b);
   void labels(std::size_t a, std::size_t b);
   void distance(std::size_t a, std::size_t b);
@@ -58,6 +83,7 @@ private:
   const AuditedFrame& frame_;
   const Layout& layout_;
   const std::vector<PlacedLine>& lines_;
+  std::vector<DrawnArc> arcs_;  ///< one for each of the layout's others
   const FrameName& name_;
   AuditTally& tally_;
 };
@@ -96,6 +122,13 @@ void FrameAudit::againstEachOther() {
       crossing(a, b);
       labels(a, b);
       distance(a, b);
+    }
+    for (std::size_t i = 0; i < arcs_.size(); ++i) {
+      for (const Segment2& arm : arcs_[i].arms) {
+        if (crossesExtension || !crossEachOther(lines_[a].lineScreen, arm)) continue;
+        crossesExtension = true;
+        offend(AuditRow::kExtensionCrossings, nameOf(a) + " over " + otherName(i), 0, "crosses an arm of the angle");
+      }
     }
     tally_.judge(AuditRow::kExtensionCrossings);
   }
@@ -209,32 +242,61 @@ void FrameAudit::againstViewport() {
   }
 }
 
+void FrameAudit::otherHandleOutside(std::size_t i) {
+  const Box2& box = layout_.others[i].box;
+  const auto onModel = [&](const Segment2& s) { return frame_.mask->distancePx(s) == 0; };
+  const auto leaves = [&](const Segment2& s) { return leavesViewport(s.start) || leavesViewport(s.end); };
+  tally_.judge(AuditRow::kTouchesModel);
+  if (frame_.mask->touches(box)) {
+    offend(AuditRow::kTouchesModel, otherName(i), 1, "handle on the model");
+  } else if (std::ranges::any_of(arcs_[i].curve, onModel) || std::ranges::any_of(arcs_[i].arms, onModel)) {
+    offend(AuditRow::kTouchesModel, otherName(i), 1, "arc on the model");
+  }
+  tally_.judge(AuditRow::kLeavesViewport);
+  if (leavesViewport(box)) {
+    offend(AuditRow::kLeavesViewport, otherName(i), 1, "the handle leaves the viewport");
+  } else if (std::ranges::any_of(arcs_[i].curve, leaves) || std::ranges::any_of(arcs_[i].arms, leaves)) {
+    offend(AuditRow::kLeavesViewport, otherName(i), 1, "the arc leaves the viewport");
+  }
+}
+
 /// Handles that are no lines: against the model, the viewport, lines, labels and each other.
 void FrameAudit::otherHandles() {
   const auto inside = [](const PlacedHandle& handle) { return handle.placement == PlacementKind::kInside; };
+  const auto runsInto = [](const std::vector<Segment2>& curve, const Box2& box) {
+    return std::ranges::any_of(curve, [&](const Segment2& s) { return enters(s, box); });
+  };
+  const auto runsOver = [](const std::vector<Segment2>& curve, const Segment2& line) {
+    return std::ranges::any_of(curve, [&](const Segment2& s) { return crossEachOther(s, line); });
+  };
   for (std::size_t i = 0; i < layout_.others.size(); ++i) {
     const PlacedHandle& handle = layout_.others[i];
-    const std::string& who = frame_.model->parameters()[handle.parameter].name;
-    if (!inside(handle)) {
-      tally_.judge(AuditRow::kTouchesModel);
-      if (frame_.mask->touches(handle.box)) offend(AuditRow::kTouchesModel, who, 1, "handle on the model");
-      tally_.judge(AuditRow::kLeavesViewport);
-      if (leavesViewport(handle.box)) offend(AuditRow::kLeavesViewport, who, 1, "the handle leaves the viewport");
-    }
-    const auto judge = [&](std::size_t otherParameter, bool bothInside, bool overlaps, const char* what) {
+    const std::vector<Segment2>& curve = arcs_[i].curve;
+    if (!inside(handle)) otherHandleOutside(i);
+    const auto judge = [&](std::size_t otherParameter, bool bothInside, const char* what) {
       if (bothInside) return;
       tally_.judge(AuditRow::kLabelOverlaps);
-      if (overlaps)
-        offend(AuditRow::kLabelOverlaps, parameterNames(*frame_.model, handle.parameter, otherParameter), 1, what);
+      if (what == nullptr) return;
+      offend(AuditRow::kLabelOverlaps, parameterNames(*frame_.model, handle.parameter, otherParameter), 1, what);
     };
     for (const PlacedLine& line : lines_) {
-      const bool onLabel = line.label && overlap(*line.label, handle.box);
-      judge(line.parameter, inside(handle) && !isOutside(line), onLabel || enters(line.lineScreen, handle.box),
-            onLabel ? "handle on label" : "handle on line");
+      const char* what = nullptr;
+      if (line.label && overlap(*line.label, handle.box)) {
+        what = "handle on label";
+      } else if (line.label && runsInto(curve, *line.label)) {
+        what = "arc on label";
+      } else if (enters(line.lineScreen, handle.box)) {
+        what = "handle on line";
+      } else if (runsOver(curve, line.lineScreen)) {
+        what = "arc on line";
+      }
+      judge(line.parameter, inside(handle) && !isOutside(line), what);
     }
     for (std::size_t k = i + 1; k < layout_.others.size(); ++k) {
       const PlacedHandle& other = layout_.others[k];
-      judge(other.parameter, inside(handle) && inside(other), overlap(handle.box, other.box), "handle on handle");
+      const bool arcOnHandle = runsInto(curve, other.box) || runsInto(arcs_[k].curve, handle.box);
+      judge(other.parameter, inside(handle) && inside(other),
+            overlap(handle.box, other.box) ? "handle on handle" : arcOnHandle ? "arc on handle" : nullptr);
     }
   }
 }

@@ -56,6 +56,59 @@ TEST_CASE("audit: another handle that touches the model or leaves the viewport, 
   CHECK(stage.figure(AuditRow::kLeavesViewport).judged == 0);
 }
 
+TEST_CASE("audit: an arc is judged as its curve and its arms, not as its number alone") {
+  // A quarter circle of 80 px about (300, 60), from its right end upwards; the block covers x and y from 100 to 300.
+  Stage stage;
+  PlacedHandle angle;
+  angle.parameter = kD;
+  angle.placement = PlacementKind::kOutside;
+  angle.box = {{340, 70}, {370, 90}};
+  angle.arc = Arc{.center = worldAt(Vec2(300, 60)), .radiusM = 0.8, .angleRad = std::acos(0.0)};
+  stage.layout.others = {angle};
+  const auto moveTo = [&](const Vec2& px) { stage.layout.others[0].arc->center = worldAt(px); };
+
+  SECTION("against the model and the viewport") {
+    CHECK(stage.figure(AuditRow::kTouchesModel).offences == 0);
+    CHECK(stage.figure(AuditRow::kLeavesViewport).offences == 1);   // the curve ends 20 px above the picture
+    moveTo({300, 90});
+    CHECK(stage.figure(AuditRow::kTouchesModel).offences == 0);
+    CHECK(stage.figure(AuditRow::kLeavesViewport).offences == 0);
+    moveTo({290, 110});
+    CHECK(stage.figure(AuditRow::kTouchesModel).offences == 1);
+    stage.layout.others[0].placement = PlacementKind::kInside;
+    CHECK(stage.figure(AuditRow::kTouchesModel).judged == 0);
+  }
+  SECTION("against lines, where 45 degrees along the curve is at (356.6, 33.4)") {
+    moveTo({300, 90});
+    PlacedLine& line = stage.add(kA, vertical(356, 80, 20));   // crosses the curve
+    CHECK(stage.figure(AuditRow::kLabelOverlaps).offences == 1);
+    CHECK(stage.figure(AuditRow::kExtensionCrossings).offences == 0);
+    line.lineScreen = vertical(345, 98, 72);   // crosses an arm, and not the curve
+    CHECK(stage.figure(AuditRow::kLabelOverlaps).offences == 1);   // but its number
+    stage.layout.others[0].box = {{380, 5}, {395, 20}};
+    CHECK(stage.figure(AuditRow::kLabelOverlaps).offences == 0);
+    CHECK(stage.figure(AuditRow::kExtensionCrossings).offences == 1);
+    CHECK(stage.figure(AuditRow::kExtensionCrossings).judged == 1);
+    line.lineScreen = vertical(390, 98, 72);
+    CHECK(stage.figure(AuditRow::kExtensionCrossings).offences == 0);
+    line.label = Box2{{350, 50}, {380, 70}};   // the curve runs through it
+    CHECK(stage.figure(AuditRow::kLabelOverlaps).offences == 1);
+  }
+  SECTION("against other handles") {
+    moveTo({300, 90});
+    stage.layout.others[0].box = {{380, 5}, {395, 20}};
+    PlacedHandle pill;
+    pill.parameter = kC;
+    pill.box = {{320, 40}, {340, 60}};   // between the arms
+    stage.layout.others.push_back(pill);
+    CHECK(stage.figure(AuditRow::kLabelOverlaps).offences == 0);
+    stage.layout.others[1].box = {{350, 50}, {380, 70}};
+    CHECK(stage.figure(AuditRow::kLabelOverlaps).offences == 1);
+    std::swap(stage.layout.others[0], stage.layout.others[1]);
+    CHECK(stage.figure(AuditRow::kLabelOverlaps).offences == 1);
+  }
+}
+
 TEST_CASE("audit: the distance of an outside line to the model") {
   Stage stage;
   stage.add(kA, vertical(70));
