@@ -15,7 +15,8 @@ namespace {
 constexpr std::string_view kHelp =
     "Usage: dimline bench MODEL|all [options]\n\n"
     "Measures how long it takes to place a model's dimension lines, beside what the paper reports and beside a\n"
-    "straightforward version without distance fields; then how that grows with triangles and with base lines.\n\n"
+    "straightforward version without distance fields; then how that grows with triangles, with base lines and with the\n"
+    "viewport.\n\n"
     "  --frames N    frames of the orbit, 360 unless told\n"
     "  --gpu         also the distance fields from the GPU\n"
     "  --no-growth   leaves the growth tables out\n"
@@ -50,7 +51,7 @@ Outcome run(std::span<const std::string_view> list, const Streams& streams) {
     if (!model) return badInput(model.error());
     streams.err << "dimline: measuring " << name << "\n" << std::flush;
     auto result = benchModel(*model, plan);
-    if (!result) return badInput(result.error());
+    if (!result) return badInput(Error{result.error().message + " Or leave --gpu out."});
     results.push_back(std::move(result).value());
   }
   if (arguments->has("--json")) {

@@ -18,7 +18,6 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr double kElevationDeg = 30.0;
-constexpr double kSidePx = 1000.0;
 constexpr std::size_t kStraightforwardFrames = 12;  // no multiple of 5
 constexpr double kStraightforwardBudgetMs = 4000.0;
 constexpr double kRepeatBudgetMs = 1500.0;
@@ -133,8 +132,8 @@ Result<BenchResult> benchModel(const Model& model, const BenchPlan& plan) {
     gpu = std::move(made).value();
   }
   std::vector<View> views;
-  for (const Camera& camera : orbit(scene.bounds, kElevationDeg, 360.0 / plan.frames, kSidePx, kSidePx).cameras) {
-    views.emplace_back(camera, kSidePx, kSidePx, scene.bounds);
+  for (const Camera& camera : orbit(scene.bounds, kElevationDeg, 360.0 / plan.frames, plan.sidePx, plan.sidePx).cameras) {
+    views.emplace_back(camera, plan.sidePx, plan.sidePx, scene.bounds);
   }
   for (BenchTimes& times : result.runs) {
     if (Status status = timeFrames(model, scene, views, gpu.get(), times); !status) return status.error();

@@ -32,7 +32,8 @@ struct BenchResult {
 };
 
 struct BenchPlan {
-  int frames = 360;             ///< of one orbit at an elevation of 30 degrees, 1000x1000
+  int frames = 360;             ///< of one orbit at an elevation of 30 degrees
+  double sidePx = 1000;         ///< of the viewport, a square
   bool gpu = false;             ///< also the GPU's fields
   bool straightforward = true;  ///< on a few of the frames, as it takes long
   bool changes = true;          ///< preprocess and rebuild

@@ -95,9 +95,15 @@ void printRow(const BenchResult& result, std::ostream& out) {
   out << "\n";
 }
 
-BenchResult grown(ModelDefinition definition, int frames, bool changes) {
+BenchResult grown(ModelDefinition definition, BenchPlan plan) {
   const auto model = makeModel(std::move(definition));
-  return *benchModel(*model, {.frames = frames, .gpu = false, .straightforward = false, .changes = changes});
+  plan.straightforward = false;
+  return *benchModel(*model, plan);
+}
+
+void printGrownHeader(std::initializer_list<const char*> titles, std::ostream& out) {
+  for (const char* title : titles) cell(out, title, title == *titles.begin() ? kNameWidth : kTimeWidth + 3);
+  out << "\n";
 }
 
 void printGrownRow(std::size_t count, const BenchResult& result,
@@ -130,25 +136,30 @@ void printBench(const std::vector<BenchResult>& results, std::ostream& out) {
 
 void printGrowth(std::ostream& out) {
   out << "\nGrowth with triangles, 16 base lines (ms):\n";
-  for (const char* title : {"triangles", "CPU fields", "placer", "visibility"})
-    cell(out, title, title[0] == 't' ? kNameWidth : kTimeWidth + 3);
-  out << "\n";
+  printGrownHeader({"triangles", "CPU fields", "placer", "visibility"}, out);
   for (const std::size_t triangles : {1000U, 10000U, 100000U, 1000000U}) {
-    const BenchResult result = grown(columnField(triangles), triangles > 100000 ? 36 : 120, false);
+    const int frames = triangles > 100000 ? 36 : 120;
+    const BenchResult result = grown(columnField(triangles), {.frames = frames, .changes = false});
     printGrownRow(result.statistics.triangles, result,
                   {&BenchTimes::cpuFields, &BenchTimes::placer, &BenchTimes::visibility}, out);
     out << "\n" << std::flush;
   }
   out << "\nGrowth with base lines, 12 triangles (ms):\n";
-  for (const char* title : {"base lines", "placer, chained", "preprocess", "placer, single"})
-    cell(out, title, title[0] == 'b' ? kNameWidth : kTimeWidth + 3);
-  out << "\n";
+  printGrownHeader({"base lines", "CPU fields", "placer, chained", "preprocess", "placer, single"}, out);
   for (const std::size_t baseLines : {16U, 104U, 1000U, 10000U, 100000U}) {
     const int frames = baseLines > 1000 ? 24 : 120;
-    const BenchResult chained = grown(windowWall(baseLines / 8, true), frames, true);
-    printGrownRow(chained.statistics.baseLines, chained, {&BenchTimes::placer, &BenchTimes::preprocess}, out);
-    const BenchResult single = grown(windowWall(baseLines / 8, false), frames, false);
+    const BenchResult chained = grown(windowWall(baseLines / 8, true), {.frames = frames});
+    printGrownRow(chained.statistics.baseLines, chained,
+                  {&BenchTimes::cpuFields, &BenchTimes::placer, &BenchTimes::preprocess}, out);
+    const BenchResult single = grown(windowWall(baseLines / 8, false), {.frames = frames, .changes = false});
     cell(out, timesText(steady(single, &BenchTimes::placer)), kTimeWidth + 3);
+    out << "\n" << std::flush;
+  }
+  out << "\nGrowth with the viewport's side in px, about 10,000 triangles, 16 base lines (ms):\n";
+  printGrownHeader({"side", "CPU fields", "placer", "visibility"}, out);
+  for (const unsigned sidePx : {250U, 500U, 1000U, 2000U, 4000U}) {
+    const BenchResult result = grown(columnField(10000), {.frames = 120, .sidePx = sidePx * 1.0, .changes = false});
+    printGrownRow(sidePx, result, {&BenchTimes::cpuFields, &BenchTimes::placer, &BenchTimes::visibility}, out);
     out << "\n" << std::flush;
   }
 }

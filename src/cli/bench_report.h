@@ -12,8 +12,9 @@ namespace dimline {
 /// measured there and then.
 void printBench(const std::vector<BenchResult>& results, std::ostream& out);
 
-/// How placer and fields grow: with the number of triangles (10^3 to 10^6, the same few lines), and with the number of
-/// base lines (10 to 10^5, the same few triangles), chained and not. Measures as it prints.
+/// How placer and fields grow: with the number of triangles (10^3 to 10^6, the same few lines), with the number of base
+/// lines (10 to 10^5, the same few triangles), chained and not, and with the viewport (250 to 4000 px a side, the same
+/// model). Measures as it prints.
 void printGrowth(std::ostream& out);
 
 /// A list of objects, one a model; times in ms.

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/constants.h"
 #include "placement/chains.h"
 
 namespace dimline {
@@ -80,6 +81,20 @@ Straightforward::Straightforward(const Model& model, const Scene& scene) {
       for (const int side : {0, 1}) parameter.chains.push_back(chainBaseLine(cluster, side));
     }
   }
+  toleranceM_ = kSamePlaneDistance * scene.bounds.diagonal();
+  objectPlanes_ = findObjectPlanes(scene);
+}
+
+/// From the base lines that are the same from everywhere.
+std::vector<ObjectPlane> Straightforward::findObjectPlanes(const Scene& scene) const {
+  std::vector<Segment> fixed;
+  for (const Measured& parameter : parameters_) {
+    if (!isLinear(parameter.annotation.type)) continue;
+    for (const Obb& scope : parameter.scopes) {
+      for (const Segment& segment : baseSegments(parameter.annotation, scope, View())) fixed.push_back(segment);
+    }
+  }
+  return objectPlanes(fixed, scene.bounds);
 }
 
 double Straightforward::leastOffsetM(const Slide& slide, const View& view) const {
@@ -99,12 +114,13 @@ double Straightforward::leastOffsetM(const Slide& slide, const View& view) const
 
 void Straightforward::placeLine(const BaseLine& line, Slip slip, bool chain, const View& view, Frame& frame) {
   if (!view.inFrontOfNear(line.segment)) return;
-  slipPlanes(line, slip, view, {}, planes_);
+  slipPlanes(line, slip, view, {objectPlanes_, objectUses_, toleranceM_}, planes_);
   for (const SlipPlane& plane : planes_) {
     for (const double direction : {1.0, -1.0}) {
-      if (direction < 0 && chain && plane.kind != PlaneKind::kBillboard)
+      if (direction < 0 && chain && plane.kind == PlaneKind::kScope)
         continue;  // a chain slips away from its members only
-      const auto slide = Slide::make(view, line.segment, plane.across * direction);
+      const Segment onPlane{line.segment.start + plane.onto, line.segment.end + plane.onto};
+      const auto slide = Slide::make(view, onPlane, plane.across * direction);
       if (!slide) continue;
       ++frame.candidates;
       const double offsetM = leastOffsetM(*slide, view);
@@ -115,6 +131,7 @@ void Straightforward::placeLine(const BaseLine& line, Slip slip, bool chain, con
 
 Straightforward::Frame Straightforward::place(const View& view) {
   Frame frame;
+  facePlanes(objectPlanes_, view, objectUses_);
   for (const Measured& parameter : parameters_) {
     const Slip slip = parameter.annotation.slip;
     for (const BaseLine& line : parameter.chains) placeLine(line, slip, true, view, frame);

@@ -13,8 +13,8 @@ namespace dimline {
 
 /// The way without distance fields, for comparison: for every candidate each triangle of the model is looked at, as the
 /// paper's version for the CPU does (its table 1, "CPU impl"). Finds the offsets of the same candidates: chain base
-/// lines for chained parameters, base lines for the others, each plane and both ways on it. Nothing is scored, labelled
-/// or kept apart.
+/// lines for chained parameters, base lines for the others, each plane, the object's too, and both ways on it. Nothing is
+/// scored, labelled or kept apart.
 class Straightforward {
 public:
   Straightforward(const Model& model, const Scene& scene);
@@ -38,10 +38,14 @@ private:
     std::vector<BaseLine> chains;  ///< its chain base lines; then its scopes' own stand back
   };
   void placeLine(const BaseLine& line, Slip slip, bool chain, const View& view, Frame& frame);
+  [[nodiscard]] std::vector<ObjectPlane> findObjectPlanes(const Scene& scene) const;
 
   std::vector<Vec3> corners_;  ///< of the whole model, in the world
   std::vector<std::array<std::uint32_t, 3>> triangles_;
   std::vector<Measured> parameters_;
+  std::vector<ObjectPlane> objectPlanes_;
+  std::vector<ObjectPlaneUse> objectUses_;  ///< in the frame at hand
+  double toleranceM_ = 0;
   std::vector<SlipPlane> planes_;
 };
 

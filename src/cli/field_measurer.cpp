@@ -38,7 +38,7 @@ public:
   }
   Status measure(const View& view, DistanceFields& fields) override {
     if (fields_->request(scene_, view, 1.0) == 0 || !fields_->finish(fields)) {
-      return Error{"The graphics driver gave no answer; use --fields cpu."};
+      return Error{"The graphics driver gave no answer."};
     }
     return okStatus();
   }
@@ -57,7 +57,7 @@ std::unique_ptr<FieldMeasurer> FieldMeasurer::onCpu(const Scene& scene) { return
 
 Result<std::unique_ptr<FieldMeasurer>> FieldMeasurer::onGpu(const Scene& scene) {
   auto native = NativeContext::make();
-  if (!native) return Error{native.error().message + " Without it, use --fields cpu."};
+  if (!native) return native.error();
   auto measurer = std::make_unique<GpuMeasurer>(std::move(native).value());
   if (Status status = measurer->prepare(scene); !status) return status.error();
   return std::unique_ptr<FieldMeasurer>(std::move(measurer));

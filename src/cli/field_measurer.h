@@ -16,7 +16,7 @@ public:
   virtual Status measure(const View& view, DistanceFields& fields) = 0;
 
   static std::unique_ptr<FieldMeasurer> onCpu(const Scene& scene);
-  /// An error where there is no OpenGL ES 3, with what to do about it.
+  /// An error where there is no OpenGL ES 3, with what to install; what else to do depends on who asked.
   static Result<std::unique_ptr<FieldMeasurer>> onGpu(const Scene& scene);
 };
 

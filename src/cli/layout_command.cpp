@@ -108,6 +108,9 @@ void writeHeader(const Job& job, JsonWriter& json) {
   writeScopes(job, json);
 }
 
+/// The CPU's fields want nothing of the machine.
+Error withoutGpu(const Error& error) { return {error.message + " Or use --fields cpu."}; }
+
 /// Lays out one frame after the other. Pictures are written as they are made; the JSON when all is well.
 Status layOut(Job& job, FieldMeasurer& measurer, JsonWriter& json) {
   const LayoutOptions& options = job.options;
@@ -128,7 +131,7 @@ Status layOut(Job& job, FieldMeasurer& measurer, JsonWriter& json) {
   json.key("frames").beginArray();
   for (std::size_t i = 0; i < job.cameras.size(); ++i) {
     const View view(job.cameras[i], options.widthPx, options.heightPx, job.scene.bounds);
-    if (Status status = measurer.measure(view, fields); !status) return status;
+    if (Status status = measurer.measure(view, fields); !status) return withoutGpu(status.error());
     visibility.measure(job.scene, view, seen);
     placer.place(view, fields, job.values, layout, &seen);
     if (i == 0 || placer.anew()) placer.placeSettled(view, fields, job.values, layout, &seen);   // as in the page
@@ -171,7 +174,7 @@ Outcome run(std::span<const std::string_view> arguments, const Streams& streams)
   std::unique_ptr<FieldMeasurer> measurer;
   if (job.options.gpuFields) {
     auto made = FieldMeasurer::onGpu(job.scene);
-    if (!made) return badInput(made.error());
+    if (!made) return badInput(withoutGpu(made.error()));
     measurer = std::move(made).value();
   } else {
     measurer = FieldMeasurer::onCpu(job.scene);

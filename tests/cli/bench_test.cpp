@@ -40,6 +40,23 @@ TEST_CASE("bench: the straightforward version finds the silhouette's end in the 
   CHECK(frame.sumM > 0);
 }
 
+TEST_CASE("bench: the straightforward version looks at the object's planes too") {
+  // Both ways on each plane of the prism around the box that the line is parallel to and that does not stand edge-on.
+  const auto measuring = [](const char* slip) {
+    return makeModel(test::measuring(
+        {"@Handle(scope=Box, type=linear-contour, orient=up, slip=" + std::string(slip) + ")"},
+        [](const Values&) { return sceneOf({{"Box", boxAt({-4, 0, -3}, {8, 5, 6})}}); }));
+  };
+  const auto candidates = [&](const char* slip) {
+    const auto model = measuring(slip);
+    const Scene scene = model->definition.build(Values(model->parameters()));
+    const View view(orbitCamera({0, 2.5, 0}, 30, 30, 20), 1000, 1000, scene.bounds);
+    return Straightforward(*model, scene).place(view).candidates;
+  };
+  CHECK(candidates("billboard") == 4 * 2);   // four base lines, the one plane
+  CHECK(candidates("object") == 4 * 4 * 2);  // each on any of the four sides
+}
+
 TEST_CASE("bench: models of any size") {
   for (const std::size_t triangles : {1000U, 20000U}) {
     const auto model = makeModel(columnField(triangles));
@@ -118,6 +135,30 @@ TEST_CASE("dimline bench prints tables, and the contract's JSON") {
       CHECK(results[i][key].get<double>() > 0);
     }
     CHECK(results[i]["gpuFieldsMs"].is_null());
+  }
+}
+
+TEST_CASE("dimline bench measures the GPU's fields where it is asked to") {
+  const auto measured = parsed(runProgram({"bench", "lever", "--gpu", "--frames", "2", "--json"}).out);
+  REQUIRE(measured.size() == 1);
+  REQUIRE(measured[0]["gpuFieldsMs"].is_number());
+  CHECK(measured[0]["gpuFieldsMs"].get<double>() > 0);
+
+  const Run without =
+      runProgram({"bench", "lever", "--gpu", "--frames", "2"}, {{"__EGL_VENDOR_LIBRARY_FILENAMES", "/dev/null"}});
+  CHECK(without.status == 1);
+  CHECK(without.out.empty());
+  CHECK(without.err.find("Or leave --gpu out.\n") != std::string::npos);
+}
+
+TEST_CASE("bench: a larger viewport is the same orbit in more pixels") {
+  const auto model = makeModel(boxWithDoor());
+  for (const double sidePx : {250.0, 2000.0}) {
+    const auto result = benchModel(*model, {.frames = 4, .sidePx = sidePx, .straightforward = false, .changes = false});
+    REQUIRE(result.ok());
+    REQUIRE(steady(*result, &BenchTimes::cpuFields));
+    CHECK(steady(*result, &BenchTimes::placer)->ms > 0);
+    CHECK_FALSE(steady(*result, &BenchTimes::rebuild));
   }
 }
 
