@@ -62,16 +62,18 @@ def stream_build(command, name: str, background: bool = False) -> None:
         raise BuildError("".join(output).strip())
 
 
-def build(preset: str, keep_going: bool = False, background: bool = False) -> None:
+def build(preset: str, targets=(), keep_going: bool = False, background: bool = False) -> None:
     """Configures the preset when that was never done, and builds what is stale. Raises BuildError.
 
+    targets: what to build, the preset's usual things unless told.
     keep_going: build all that can be built, so that one run shows every file that fails.
     background: without a word, and with the processor time alone that other work leaves idle.
     """
     folder = ROOT / "build" / preset
     if not (folder / "build.ninja").exists():
         stream_build(["cmake", "--preset", preset], preset, background)
-    stream_build(["cmake", "--build", str(folder), *(["--", "-k", "0"] if keep_going else [])], preset, background)
+    stream_build(["cmake", "--build", str(folder), *(["--target", *targets] if targets else []), *(["--", "-k", "0"] if keep_going else [])],
+                 preset, background)
 
 
 def core(program: str, purpose: str = "build") -> bool:

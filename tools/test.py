@@ -110,6 +110,9 @@ def settle(result: Result, status: int) -> Result:
 # Builds. Those that later parts need follow the first one at once and take what the parts before leave idle: the last of a part's tests
 # runs alone, and a page waits for its next frame now and then.
 
+# What tests need besides the usual: no page asks for the program for node.
+TARGETS = {"wasm": ("all", "dimline_node")}
+
 builds = {}  # preset -> Future of its build
 
 
@@ -120,7 +123,7 @@ def begin_builds(presets) -> None:
     def work():
         for number, (preset, done) in enumerate(begun.items()):
             try:
-                done.set_result(build.build(preset, keep_going=True, background=number > 0))
+                done.set_result(build.build(preset, targets=TARGETS.get(preset, ()), keep_going=True, background=number > 0))
             except Exception as error:
                 done.set_exception(error)
 
@@ -242,7 +245,8 @@ def script_part(folder: str, match: str, environment: dict):
 
 
 def node_part(match: str):
-    wait_for_build("wasm")
+    for preset in PRESETS["node"]:
+        wait_for_build(preset)
     yield from script_part("node", match, dict(os.environ))
 
 
@@ -287,7 +291,7 @@ def tools_part(match: str):
 def wasm_part(match: str):
     start = time.monotonic()
     wait_for_build("wasm")
-    missing = [name for name in ("dimline.js", "dimline.wasm", "dimline_gltf.js", "dimline_gltf.wasm") if not (ROOT / "build/wasm" / name).exists()]
+    missing = [name for name in ("dimline.js", "dimline.wasm", "dimline_gltf.js", "dimline_gltf.wasm", "dimline_node.cjs") if not (ROOT / "build/wasm" / name).exists()]
     result = Result("build", passed=0 if missing else 1)
     if missing:
         result = failure("build", f"the build made no {' and no '.join(missing)}")
@@ -295,7 +299,7 @@ def wasm_part(match: str):
     yield result
 
 
-# The order in which they run: what is quick and what fails early first. PRESETS: the build that a part needs.
+# The order in which they run: what is quick and what fails early first. PRESETS: the builds that a part needs.
 PARTS = {
     "includes": includes_part,
     "tools": tools_part,
@@ -305,7 +309,7 @@ PARTS = {
     "browser": browser_part,
     "asan": lambda match: native_part("asan", match),
 }
-PRESETS = {"native": "native", "wasm": "wasm", "node": "wasm", "browser": "wasm", "asan": "asan"}
+PRESETS = {"native": ("native",), "wasm": ("wasm",), "node": ("native", "wasm"), "browser": ("wasm",), "asan": ("asan",)}
 
 
 def run_part(name: str, part, match: str) -> list:
@@ -355,7 +359,7 @@ def main() -> int:
         print(f"== setup\n{describe(results[-1])}\n", flush=True)
 
     failures = []
-    begin_builds(dict.fromkeys(PRESETS[name] for name in PARTS if name in options.only and name in PRESETS))
+    begin_builds(dict.fromkeys(preset for name in PARTS if name in options.only for preset in PRESETS.get(name, ())))
     for name, part in PARTS.items():
         if name in options.only:
             of_part = run_part(name, part, options.match)

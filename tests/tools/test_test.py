@@ -151,10 +151,10 @@ class Runs(unittest.TestCase):
             test.begin_builds(["native", "asan"])
             self.assertEqual(built, [])
             test.wait_for_build("native")
-            self.assertEqual(built, [("native", {"keep_going": True, "background": False})])
+            self.assertEqual(built, [("native", {"targets": (), "keep_going": True, "background": False})])
             test.wait_for_build("asan")
             test.wait_for_build("asan")
-        self.assertEqual(built[1:], [("asan", {"keep_going": True, "background": True})])
+        self.assertEqual(built[1:], [("asan", {"targets": (), "keep_going": True, "background": True})])
 
     def test_a_build_that_fails_does_so_where_it_is_waited_for_and_holds_up_no_other(self):
         def some_fail(preset, **options):
@@ -170,7 +170,9 @@ class Runs(unittest.TestCase):
 
     def test_every_part_but_the_quick_ones_names_its_build(self):
         self.assertEqual(set(test.PARTS) - set(test.PRESETS), {"includes", "tools"})
-        self.assertEqual(list(dict.fromkeys(test.PRESETS[name] for name in test.PARTS if name in test.PRESETS)), ["native", "wasm", "asan"])
+        needed = dict.fromkeys(preset for name in test.PARTS for preset in test.PRESETS.get(name, ()))
+        self.assertEqual(list(needed), ["native", "wasm", "asan"])
+        self.assertEqual(set(test.TARGETS) - set(needed), set())
 
     def test_the_longest_begin_first(self):
         self.assertEqual(test.longest_first(["a", "test_app", "b", "test_cli"]), ["test_cli", "test_app", "a", "b"])
