@@ -6,6 +6,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "support/allocation_count.h"
 #include "support/gl_test_context.h"
 #include "silhouette/coverage_mask.h"
 #include "silhouette/cpu_fields.h"
@@ -161,6 +162,27 @@ TEST_CASE("GPU fields agree with CPU fields on fifty cameras at pixel ratios 1, 
     }
   }
   REQUIRE(touched >= 45);
+}
+
+TEST_CASE("a warmed-up request and its answer allocate nothing") {
+  Fixture fixture;
+  const Scene scene = test::villageScene();
+  fixture.scene.upload(scene);
+  const std::vector<Camera> cameras = fiftyCameras(scene.bounds);
+  DistanceFields fields;
+  for (const FieldReduction reduction : {FieldReduction::kOnGpu, FieldReduction::kOnCpu}) {
+    fixture.fields.setReduction(reduction);
+    const auto allocated = [&] {
+      const std::size_t before = test::allocationCount();
+      for (const Camera& camera : cameras) {
+        REQUIRE(fixture.fields.request(fixture.scene, View(camera, 320, 240, scene.bounds), 1.0) != 0);
+        REQUIRE(fixture.fields.finish(fields));
+      }
+      return test::allocationCount() - before;
+    };
+    (void)allocated();
+    CHECK(allocated() == 0);
+  }
 }
 
 TEST_CASE("a face turned away from the viewer covers what is behind it all the same") {

@@ -90,6 +90,41 @@ TEST_CASE("slip billboard: the line lies in the plane through its base line that
   checkSame(lineSeenFrom(stage, cameraFrom(0, 0)).line.start, {-1 - kSpacingM, -1, 0});
 }
 
+TEST_CASE("slip billboard: a diameter and a radius slip straight up or down the picture") {
+  // On the lower end of a column, a box here, 1 m across and 2 m high. They are at right angles to the view, so the plane is the picture's own; the box's lower front edge, 0.5 m nearer, is sin 30
+  // degrees of that further down.
+  const Camera camera = cameraFrom(0, 30);
+  const Vec3 down{0, -std::cos(30 * kRadPerDeg), std::sin(30 * kRadPerDeg)};
+  const double outM = 0.5 * std::sin(30 * kRadPerDeg) + kSpacingM;
+  for (const std::string type : {"diametric", "radial"}) {
+    INFO(type);
+    Stage stage(measuring({"@Handle(scope=Column, type=" + type + ", orient=up, slip=billboard, align=bottom)"},
+                          [](const Values&) { return sceneOf({{"Column", boxAt({-0.5, -1, -0.5}, {1, 2, 1})}}); }));
+    const PlacedLine& line = lineSeenFrom(stage, camera);
+    CHECK(line.planeKind == PlaneKind::kBillboard);
+    const double fixedEndM = type == "radial" ? 0 : line.base.end.x > 0 ? -0.5 : 0.5;
+    checkSame(line.base.start, {fixedEndM, -1, 0});
+    CHECK(std::abs(line.base.end.x) == Approx(0.5));
+    checkSame(line.line.start, line.base.start + down * outM);
+    checkSame(line.line.end, line.base.end + down * outM);
+  }
+}
+
+TEST_CASE("of several scopes with one name the line stands at the one where its place is best") {
+  // Three posts in a row, none before another: of the others' edges a line would be pushed out beyond the last post all the same, and be further from them.
+  const auto besidePost = [](const std::string& align, std::int32_t post) {
+    INFO(align);
+    Stage stage(measuring({"@Handle(scope=Post, type=linear-contour, orient=up, slip=scope, align=" + align + ")"}, [](const Values&) {
+      return sceneOf({{"Post", boxAt({-3.5, -1, -0.5}, {1, 2, 1})}, {"Post", boxAt({-0.5, -1, -0.5}, {1, 2, 1})}, {"Post", boxAt({2.5, -1, -0.5}, {1, 2, 1})}});
+    }));
+    const PlacedLine& line = lineSeenFrom(stage, cameraFrom(0, 0));
+    CHECK(line.identity.scopeIndex == post);
+    return line.line;
+  };
+  checkSame(besidePost("left", 0).start, {-3.5 - kSpacingM, -1, 0.5});
+  checkSame(besidePost("right", 2).start, {3.5 + kSpacingM, -1, 0.5});
+}
+
 TEST_CASE("slip none: the line is the base line") {
   Stage stage(boxInBox({"@Handle(scope=Outer, type=linear-contour, orient=right, slip=none)"}));
   const PlacedLine& line = lineSeenFrom(stage, cameraFrom(0, 20));
