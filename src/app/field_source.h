@@ -1,11 +1,12 @@
 #pragma once
 
 #include <cstdint>
-#include <deque>
 #include <optional>
 
 #include "app/editor.h"
 #include "app/producer_times.h"
+#include "core/fixed_vector.h"
+#include "gpu/flights.h"
 #include "render/renderer.h"
 #include "silhouette/cpu_fields.h"
 
@@ -68,7 +69,7 @@ private:
   double measuredMs_ = 0;
   /// What kAuto knows. Only models dearer than 3 of a frame's 16 ms are measured on both.
   ProducerTimes times_{3.0};
-  std::deque<Flight> flights_;
+  FixedVector<Flight, kInFlight> flights_;
 };
 
 }  // namespace dimline

@@ -1,9 +1,9 @@
 #pragma once
 
-#include <deque>
-
 #include "app/editor.h"
 #include "app/producer_times.h"
+#include "core/fixed_vector.h"
+#include "gpu/flights.h"
 #include "render/renderer.h"
 #include "silhouette/scope_visibility.h"
 
@@ -53,7 +53,7 @@ private:
   double measuredMs_ = 0;
   /// What kAuto knows. As long as the CPU takes no more than 1 ms of a frame, an answer within the frame is worth more than a free one some frames later.
   ProducerTimes times_{1.0};
-  std::deque<Flight> flights_;
+  FixedVector<Flight, kInFlight> flights_;
 };
 
 }  // namespace dimline

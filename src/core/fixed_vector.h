@@ -21,6 +21,12 @@ class FixedVector {
     assert(size_ < N);
     items_[size_++] = value;
   }
+  /// Those behind it move up.
+  void pop_front() {
+    assert(size_ > 0);
+    std::move(begin() + 1, end(), begin());
+    --size_;
+  }
   void clear() { size_ = 0; }
   /// New elements are what was there before, or a T{}.
   void resize(std::size_t size) {
