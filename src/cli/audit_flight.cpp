@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 
+#include "cli/audit_geometry.h"
 #include "cli/audit_measure.h"
 #include "core/text.h"
 #include "placement/placer.h"
@@ -147,8 +148,10 @@ FlownFlight fly(const Model& model, const Scene& scene, const Values& values, Fl
     visible.measure(scene, view, visibility);
     const bool rests = flown.flight.restEvery > 0 && i > 0 && i % flown.flight.restEvery == 0;
     const auto placeIn = [&](Placer& by, bool settled, Layout& layout) {
-      if (settled) by.placeSettled(view, fields, values, layout, &visibility);
-      else by.place(view, fields, values, layout, &visibility);
+      if (settled)
+        by.placeSettled(view, fields, values, layout, &visibility);
+      else
+        by.place(view, fields, values, layout, &visibility);
     };
     placeIn(placer, rests, flown.layouts.emplace_back());
     for (Layout& layout : still) placeIn(stillPlacer, rests && &layout == &still.front(), layout);
@@ -207,6 +210,7 @@ public:
       const auto box = boxes_[i].in(view);
       const auto anchor = anchors_[i].in(view);
       if (!box || !anchor) continue;
+      if (first_.others[i].arc && drawnArc(first_.others[i], view).curve.empty()) continue;
       PlacedHandle& handle = layout.others.emplace_back(first_.others[i]);
       handle.box = *box;
       handle.anchor = anchor->min;
@@ -217,9 +221,7 @@ public:
 private:
   void addLine(std::size_t i, Layout& layout) const {
     const PlacedLine& fixed = first_.lines[i];
-    const auto before = [&](const Segment& s) {
-      return layout.view.inFrontOfNear(s);
-    };
+    const auto before = [&](const Segment& s) { return layout.view.inFrontOfNear(s); };
     if (!before(fixed.line) || !before(fixed.base)) return;
     PlacedLine& line = layout.lines.emplace_back(fixed);
     line.lineScreen = layout.view.toScreen(line.line);

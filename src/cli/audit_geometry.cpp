@@ -11,6 +11,7 @@ namespace dimline {
 namespace {
 
 constexpr double kSharedPx = 2.0;
+constexpr int kArcChords = 32;
 constexpr double kParallelWorldRad = 1e-3;
 const double kParallelScreenCos = std::cos(5.0 / 180.0 * 3.14159265358979323846);
 
@@ -90,6 +91,22 @@ std::optional<Beside> beside(const Segment2& a, const Segment2& b) {
   const double to = std::min(toA, toB);
   if (to - from < kSharedPx) return std::nullopt;
   return Beside{between(a, mean, from, to), between(b, mean, from, to), Vec2(-mean.y, mean.x)};
+}
+
+DrawnArc drawnArc(const PlacedHandle& handle, const View& view) {
+  if (!handle.arc || !view.inFrontOfNear(handle.arc->center)) return {};
+  const Vec2 center = view.toScreen(handle.arc->center);
+  DrawnArc drawn;
+  Vec2 last;
+  for (int i = 0; i <= kArcChords; ++i) {
+    const Vec3 p = handle.arc->at(handle.arc->angleRad * i / kArcChords);
+    if (!view.inFrontOfNear(p)) return {};
+    const Vec2 next = view.toScreen(p);
+    if (i > 0) drawn.curve.push_back({last, next});
+    if (i == 0 || i == kArcChords) drawn.arms.push_back({center, next});
+    last = next;
+  }
+  return drawn;
 }
 
 bool parallel(const PlacedLine& a, const PlacedLine& b) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "placement/layout.h"
 
@@ -31,6 +32,14 @@ struct Beside {
 };
 /// Nothing when the segments share less than 2 px, or are at more than 60 degrees to each other.
 std::optional<Beside> beside(const Segment2& a, const Segment2& b);
+
+/// What of a handle is drawn as lines.
+struct DrawnArc {
+  std::vector<Segment2> curve;  ///< in chords
+  std::vector<Segment2> arms;   ///< from its centre to its ends: hairlines, as extension lines are
+};
+/// Nothing, unless it is an arc, all of it before the viewer.
+DrawnArc drawnArc(const PlacedHandle& handle, const View& view);
 
 /// Parallel, in the world or on screen.
 bool parallel(const PlacedLine& a, const PlacedLine& b);

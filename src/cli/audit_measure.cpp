@@ -18,33 +18,14 @@ constexpr double kOffsetOffence = 1.5;
 constexpr double kLengthsDiffer = 0.01;
 constexpr double kNearerPx = 1.0;
 
-constexpr int kArcChords = 32;
-
 std::string px(double value) { return formatFixed(value, 1) + " px"; }
-
-/// What of a handle that is no line is drawn as lines: nothing, unless it is an arc.
-struct DrawnArc {
-  std::vector<Segment2> curve;
-  std::vector<Segment2> arms;  ///< hairlines from its centre, as extension lines are
-};
-
-DrawnArc drawn(const PlacedHandle& handle, const View& view) {
-  DrawnArc drawn;
-  if (!handle.arc) return drawn;
-  const Arc& arc = *handle.arc;
-  const auto at = [&](int chord) { return view.toScreen(arc.at(arc.angleRad * chord / kArcChords)); };
-  for (int i = 0; i < kArcChords; ++i) drawn.curve.push_back({at(i), at(i + 1)});
-  const Vec2 center = view.toScreen(arc.center);
-  drawn.arms = {{center, at(0)}, {center, at(kArcChords)}};
-  return drawn;
-}
 
 /// One frame's measuring: what its parts share.
 class FrameAudit {
 public:
   FrameAudit(const AuditedFrame& frame, const FrameName& name, AuditTally& tally)
       : frame_(frame), layout_(*frame.layout), lines_(frame.layout->lines), name_(name), tally_(tally) {
-    for (const PlacedHandle& handle : layout_.others) arcs_.push_back(drawn(handle, layout_.view));
+    for (const PlacedHandle& handle : layout_.others) arcs_.push_back(drawnArc(handle, layout_.view));
   }
 
   void againstModel();
@@ -187,7 +168,8 @@ std::optional<double> nearerBy(const PlacedLine& a, const PlacedLine& b, double 
   if (outA * outB <= 0) return std::nullopt;
   const double side = outA > 0 ? 1 : -1;
   const double by = side * glm::dot(shared->a.middle() - shared->b.middle(), shared->across);
-  const Vec2 beyond = by < 0 ? a.lineScreen.middle() - b.baseScreen.middle() : b.lineScreen.middle() - a.baseScreen.middle();
+  const Vec2 beyond =
+      by < 0 ? a.lineScreen.middle() - b.baseScreen.middle() : b.lineScreen.middle() - a.baseScreen.middle();
   if (side * glm::dot(beyond, shared->across) <= 0) return std::nullopt;
   return by;
 }
@@ -296,7 +278,9 @@ void FrameAudit::otherHandles() {
       const PlacedHandle& other = layout_.others[k];
       const bool arcOnHandle = runsInto(curve, other.box) || runsInto(arcs_[k].curve, handle.box);
       judge(other.parameter, inside(handle) && inside(other),
-            overlap(handle.box, other.box) ? "handle on handle" : arcOnHandle ? "arc on handle" : nullptr);
+            overlap(handle.box, other.box) ? "handle on handle"
+            : arcOnHandle                  ? "arc on handle"
+                                           : nullptr);
     }
   }
 }

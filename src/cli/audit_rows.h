@@ -26,7 +26,8 @@ enum class AuditRow : std::uint8_t {
   /// Outside lines that pass through a pixel of the mask eroded by 1 px (a pixel stays when its eight neighbours are
   /// covered too).
   kCrossesModel,
-  /// Labels of outside lines, and handles that are no lines, whose box holds the centre of a covered pixel.
+  /// Labels of outside lines, and handles that are no lines, whose box holds the centre of a covered pixel; and arcs
+  /// that pass through a covered pixel.
   kTouchesModel,
   /// Least distance of an outside line to the model.
   kModelDistance,
@@ -40,17 +41,17 @@ enum class AuditRow : std::uint8_t {
   /// Pairs of lines that cross by more than half a pixel, or lie on each other for more than 2 px. Of two lines inside
   /// whose base lines in view all do that, it is said that they have no other.
   kLineCrossings,
-  /// Lines that cross an extension line of another line by more than half a pixel.
+  /// Lines that cross an extension line of another line, or an arm of an arc, by more than half a pixel.
   kExtensionCrossings,
-  /// Pairs of lines, or of a line and another handle, where a label lies on the other's label, line or box. Two lines
-  /// inside are left out.
+  /// Pairs of lines, or of a line and another handle, where a label lies on the other's label, line, box or arc, or a
+  /// handle on the other's line. Two inside are left out.
   kLabelOverlaps,
   /// Of two lines (a chain is one, of its members' mean length) that are outside, parallel, beside each other, on one
   /// side, not on one guide and whose base lines differ by more than 1 % in the world, the longer is more than 1 px
   /// nearer to the model than the shorter.
   kNesting,
   /// Lines inside although a slow search finds a place outside: for a visible scope's base line and a plane that its
-  /// annotation allows (not slip=none; object planes are not judged), where the line keeps kHandleSpacingPx from the
+  /// annotation allows (not slip=none), where the line keeps kHandleSpacingPx from the
   /// model and all other outside lines, 4 px from everything else that is drawn, and its label has room too, not so far
   /// behind its base line that perspective makes it hard to compare (kMostDepthRatio), nor so far across the picture
   /// from it that nobody sees what it measures (kMostReachShare). Base lines of a chained parameter are tried each for

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "cli/audit_geometry.h"
+#include "cli/audit_planes.h"
 #include "core/constants.h"
 
 namespace dimline {
@@ -22,7 +23,6 @@ constexpr double kLineClearancePx = kHandleSpacingPx - 0.01;
 constexpr double kSmallClearancePx = 4.0;
 // "Plainly": by so much more than the least that nobody could disagree.
 constexpr double kPlainlyLonger = 1.25;
-constexpr double kPlainlyMoreRad = 0.03;
 constexpr double kPlainlySeenShare = 0.5;
 
 double leastLengthPx(const Annotation& annotation) { return std::max(kMinLineLengthPx, annotation.minLengthPx); }
@@ -46,29 +46,6 @@ double angleToViewRad(const View& view, const Segment& s) {
 
 Segment moved(const Segment& s, const Vec3& by) { return {s.start + by, s.end + by}; }
 
-/// The directions in which a base line may slip: along the scope's two other axes where their plane is not seen
-/// edge-on, or at right angles to the view. The scope planes of the types that turn with the view are not judged.
-std::vector<Vec3> slipDirections(const Annotation& annotation, const Obb& scope, const Segment& base,
-                                 const View& view) {
-  std::vector<Vec3> directions;
-  const Vec3 sight = view.directionTo(base.middle());
-  const Vec3 along = glm::normalize(base.end - base.start);
-  const auto add = [&](const Vec3& direction) {
-    const Vec3 normal = glm::cross(along, direction);
-    if (std::abs(glm::dot(normal, sight)) < std::sin(kEdgeOnAngleRad + kPlainlyMoreRad)) return;
-    directions.push_back(direction);
-    directions.push_back(-direction);
-  };
-  if (annotation.slip == Slip::kBillboard) add(glm::normalize(glm::cross(sight, along)));
-  if (annotation.slip == Slip::kScope && isLinear(annotation.type)) {
-    const int axis = axisOf(annotation.orient).axis;
-    for (int i = 0; i < 3; ++i) {
-      if (i != axis) add(scope.axes[static_cast<std::size_t>(i)]);
-    }
-  }
-  return directions;
-}
-
 /// Everything else that is drawn, as far as it is in a line's or a label's way.
 class Obstacles {
 public:
@@ -84,7 +61,11 @@ public:
       }
       if (line.label) labels_.push_back(*line.label);
     }
-    for (const PlacedHandle& handle : frame.layout->others) labels_.push_back(handle.box);
+    for (const PlacedHandle& handle : frame.layout->others) {
+      labels_.push_back(handle.box);
+      const DrawnArc arc = drawnArc(handle, view_);
+      for (const auto* lines : {&arc.curve, &arc.arms}) near_.insert(near_.end(), lines->begin(), lines->end());
+    }
   }
 
   [[nodiscard]] bool haveRoomFor(const Segment2& line) const {
@@ -121,8 +102,9 @@ public:
       centers.push_back(line.middle() + across * (side * (reachAcross + 2 * kLabelPaddingPx)));
       centers.push_back(line.middle() + along * (side * (0.5 * line.length() + reachAlong + 2 * kLabelPaddingPx)));
     }
-    return std::ranges::any_of(
-        centers, [&](const Vec2& center) { return haveRoomFor(Box2{center - size * 0.5, center + size * 0.5}); });
+    return std::ranges::any_of(centers, [&](const Vec2& center) {
+      return haveRoomFor(Box2{center - size * 0.5, center + size * 0.5});
+    });
   }
 
 private:
@@ -142,7 +124,7 @@ private:
   const View& view_;
   std::vector<Segment2> lines_;  ///< outside and inside
   std::vector<Segment2> far_;    ///< outside lines, from which another keeps handleSpacing
-  std::vector<Segment2> near_;   ///< extension lines, and lines inside
+  std::vector<Segment2> near_;   ///< extension lines, lines inside, and arcs
   std::vector<Box2> labels_;     ///< and handles that are no lines
 };
 
@@ -166,9 +148,8 @@ bool farBehind(const View& view, const Segment& line, const Segment& base) {
 /// no place.
 bool outOfReach(const View& view, const Segment2& line, const Segment2& base) {
   const double reachPx = std::max(kMostReachShare * std::hypot(view.widthPx(), view.heightPx()), kLeastReachPx);
-  return std::ranges::any_of(std::array{line.start - base.start, line.end - base.end}, [&](const Vec2& way) {
-    return std::max(std::abs(way.x), std::abs(way.y)) > reachPx;
-  });
+  return std::ranges::any_of(std::array{line.start - base.start, line.end - base.end},
+                             [&](const Vec2& way) { return std::max(std::abs(way.x), std::abs(way.y)) > reachPx; });
 }
 
 /// A length that every base line of a type that turns with the view has on screen: half the least size of the box.
@@ -176,22 +157,24 @@ double radiusOnScreenPx(const View& view, const Obb& box) {
   return 0.5 * std::min({box.size.x, box.size.y, box.size.z}) / view.metresPerPixelAt(box.center());
 }
 
-/// The first place on the way from a base line in one direction.
+/// The first place on one way from a base line.
 std::optional<OutsidePlace> placeOnTheWay(const AuditedFrame& frame, const Obstacles& obstacles,
-                                          const Annotation& annotation, const Segment& base, const Vec3& direction,
+                                          const Annotation& annotation, const Segment& base, const SlipWay& way,
                                           const Vec2& textSize, PlacesWanted wanted) {
   const View& view = frame.layout->view;
+  const double modelSizeM = frame.scene->bounds.diagonal();
   const auto baseScreen = project(view, base);
   if (!baseScreen) return std::nullopt;
   double offsetM = 0;
   for (int i = 0; i < kMostPlaces; ++i) {
-    const Segment line = moved(base, direction * offsetM);
+    const Segment line = moved(way.from, way.direction * offsetM);
     const auto screen = project(view, line);
     if (!screen || farBehind(view, line, base) || outOfReach(view, *screen, *baseScreen)) {
       return std::nullopt;
     }
-    if (screen->length() > leastLengthPx(annotation) && obstacles.haveRoomFor(*screen) &&
-        obstacles.haveRoomForLabelOf(*screen, textSize) && frame.mask->outside(screen->middle()) &&
+    if (staysWithin(way, line, modelSizeM) && screen->length() > leastLengthPx(annotation) &&
+        obstacles.haveRoomFor(*screen) && obstacles.haveRoomForLabelOf(*screen, textSize) &&
+        frame.mask->outside(screen->middle()) &&
         (wanted == PlacesWanted::kAll || !obstacles.crossExtensionsOf(*screen, *baseScreen))) {
       return OutsidePlace{*screen, frame.mask->seesAnEdge(*screen)};
     }
@@ -203,27 +186,6 @@ std::optional<OutsidePlace> placeOnTheWay(const AuditedFrame& frame, const Obsta
 }
 
 }  // namespace
-
-std::vector<Segment> linearBaseLines(const Annotation& annotation, const Obb& scope) {
-  std::vector<Segment> lines;
-  const AxisSense along = axisOf(annotation.orient);
-  if (along.axis < 0) return lines;
-  const auto add = [&](double a, double b) {
-    Vec3 from = annotation.translate;
-    from[(along.axis + 1) % 3] += a;
-    from[(along.axis + 2) % 3] += b;
-    Vec3 to = from;
-    (along.sense > 0 ? to : from)[along.axis] += 1;
-    lines.push_back({scope.at(from), scope.at(to)});
-  };
-  if (annotation.type == HandleType::kLinearCenter) add(0.5, 0.5);
-  if (annotation.type == HandleType::kLinearContour) {
-    for (const double a : {0.0, 1.0}) {
-      for (const double b : {0.0, 1.0}) add(a, b);
-    }
-  }
-  return lines;
-}
 
 std::optional<double> offsetRatio(const AuditedFrame& frame, std::size_t number) {
   const Layout& layout = *frame.layout;
@@ -258,6 +220,8 @@ std::optional<OutsidePlace> outsidePlace(const AuditedFrame& frame, std::size_t 
   const Annotation& annotation = *frame.model->annotations[line.parameter];
   const Obstacles obstacles(frame, number);
   const Vec2 textSize = labelSize(line);
+  const std::vector<ObjectFace> object =
+      annotation.slip == Slip::kObject ? objectFaces(*frame.model, *frame.scene) : std::vector<ObjectFace>{};
   for (const std::size_t scope : layout.visibleScopes) {
     if (frame.scene->scopes[scope].name != annotation.scope) continue;
     const Obb& box = frame.scene->scopes[scope].box;
@@ -266,8 +230,8 @@ std::optional<OutsidePlace> outsidePlace(const AuditedFrame& frame, std::size_t 
       if (!showable(layout.view, annotation, base) ||
           !contains(layout.view.viewport(), layout.view.toScreen(base.middle())))
         continue;
-      for (const Vec3& direction : slipDirections(annotation, box, base, layout.view)) {
-        const auto place = placeOnTheWay(frame, obstacles, annotation, base, direction, textSize, wanted);
+      for (const SlipWay& way : slipWays(annotation, box, base, layout.view, object, frame.scene->bounds.diagonal())) {
+        const auto place = placeOnTheWay(frame, obstacles, annotation, base, way, textSize, wanted);
         if (place) return place;
       }
     }
@@ -299,8 +263,7 @@ bool mustCross(const AuditedFrame& frame, std::size_t one, std::size_t other) {
   const auto second = baseLinesInView(frame, frame.layout->lines[other].parameter);
   if (first.empty() || second.empty()) return false;
   return std::ranges::all_of(first, [&](const Segment2& a) {
-    return std::ranges::all_of(second,
-                               [&](const Segment2& b) { return crossEachOther(a, b) || lieOnEachOther(a, b); });
+    return std::ranges::all_of(second, [&](const Segment2& b) { return crossEachOther(a, b) || lieOnEachOther(a, b); });
   });
 }
 

@@ -10,8 +10,7 @@
 #include "placement/layout.h"
 
 // Slow searches for what the placer should have found: lines are moved in small steps over their planes, projected, and
-// held against the mask's pixels and what else is drawn. Base lines and planes are worked out anew here, for the linear
-// types.
+// held against the mask's pixels and what else is drawn. Where they may go is in audit_planes.h.
 namespace dimline {
 
 class Odds;
@@ -26,9 +25,6 @@ struct AuditedFrame {
   Odds* odds = nullptr;     ///< of the flight that the frame is of; null: nothing is asked of frames before and after
   std::size_t number = 0;   ///< there
 };
-
-/// A scope's base lines of the linear types: four edges along the axis, or the middle. None for other types.
-std::vector<Segment> linearBaseLines(const Annotation& annotation, const Obb& scope);
 
 /// How many times as far as need be the line of that number in the layout lies from its base line (AuditRow::kOffset);
 /// nothing for lines that row leaves out. 1 when no lesser offset will do.

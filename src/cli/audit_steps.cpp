@@ -77,7 +77,8 @@ void measureStates(const Model& model, std::size_t parameter, std::span<const La
       tally.judge(AuditRow::kIdentityChanges);
       if (!same) {
         tally.offend(AuditRow::kIdentityChanges, parameterName, 0, names[f],
-                     textOf(before, layouts[f - 1], parameter, model) + " to " + textOf(states[f], layouts[f], parameter, model) +
+                     textOf(before, layouts[f - 1], parameter, model) + " to " +
+                         textOf(states[f], layouts[f], parameter, model) +
                          afterWhat(layouts[f - 1], layouts[f], parameter, model));
       }
     }
@@ -87,9 +88,9 @@ void measureStates(const Model& model, std::size_t parameter, std::span<const La
          ++g) {
       if (!sameState(states[g], before)) continue;
       tally.offend(AuditRow::kFlicker, parameterName, static_cast<double>(kTakenBackFrames + 1 - (g - f)), names[f],
-                   textOf(before, layouts[f - 1], parameter, model) + " to " + textOf(states[f], layouts[f], parameter, model) +
-                       ", and after " + std::to_string(g - f) + " back to " +
-                       textOf(states[g], layouts[g], parameter, model),
+                   textOf(before, layouts[f - 1], parameter, model) + " to " +
+                       textOf(states[f], layouts[f], parameter, model) + ", and after " + std::to_string(g - f) +
+                       " back to " + textOf(states[g], layouts[g], parameter, model),
                    odds != nullptr && odds->hadToGoBack(parameter, f, g));
       break;
     }
@@ -103,7 +104,7 @@ void measureJumps(const Model& model, const Layout& before, const Layout& after,
         std::ranges::find_if(before.lines, [&](const PlacedLine& l) { return l.identity == line.identity; });
     if (last == before.lines.end()) continue;
     tally.judge(AuditRow::kJumps);
-    const auto moved = [&](Vec2 Segment2::* end) {
+    const auto moved = [&](Vec2 Segment2::*end) {
       return glm::length((line.lineScreen.*end - line.baseScreen.*end) -
                          (last->lineScreen.*end - last->baseScreen.*end));
     };
@@ -145,8 +146,14 @@ bool identical(const PlacedLine& a, const PlacedLine& b) {
          a.extensionStart == b.extensionStart && a.extensionEnd == b.extensionEnd;
 }
 
+bool same(const Arc& a, const Arc& b) {
+  return a.center == b.center && a.from == b.from && a.axis == b.axis && a.radiusM == b.radiusM &&
+         a.angleRad == b.angleRad;
+}
+
 bool identical(const PlacedHandle& a, const PlacedHandle& b) {
-  return a.placement == b.placement && a.anchor == b.anchor && same(a.box, b.box);
+  const bool arcs = a.arc.has_value() == b.arc.has_value() && (!a.arc || same(*a.arc, *b.arc));
+  return a.placement == b.placement && a.anchor == b.anchor && same(a.box, b.box) && arcs;
 }
 
 /// Holds what is shown in one frame against the other, line by line or handle by handle.

@@ -15,7 +15,8 @@ namespace {
 constexpr std::string_view kHelp =
     "Usage: dimline bench MODEL|all [options]\n\n"
     "Measures how long it takes to place a model's dimension lines, beside what the paper reports and beside a\n"
-    "straightforward version without distance fields; then how that grows with triangles, with base lines and with the\n"
+    "straightforward version without distance fields; then how that grows with triangles, with base lines and with "
+    "the\n"
     "viewport.\n\n"
     "  --frames N    frames of the orbit, 360 unless told\n"
     "  --gpu         also the distance fields from the GPU\n"

@@ -34,7 +34,7 @@ constexpr std::array<PaperRow, 7> kPaper{{{"single-tree", 5610, 6, 15, 0, 0, -1,
 
 struct Column {
   std::string_view title;
-  std::optional<double> BenchTimes::* time;
+  std::optional<double> BenchTimes::*time;
   std::string_view key;
 };
 constexpr std::array<Column, 7> kColumns{{{"preprocess", &BenchTimes::preprocess, "preprocessMs"},

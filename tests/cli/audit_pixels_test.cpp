@@ -164,22 +164,5 @@ TEST_CASE("depth picture: what is before and behind") {
   }
 }
 
-TEST_CASE("the audit's own base lines are the placer's, found twice") {
-  const auto model = makeModel(boxWithDoor());
-  const Scene scene = model->definition.build(Values(model->parameters()));
-  const View view(threeQuarterView(scene.bounds, 800, 600), 800, 600, scene.bounds);
-  for (const auto& annotation : model->annotations) {
-    const Obb& box = scene.scopes[annotation->scope == "Box" ? 0 : 1].box;
-    const std::vector<Segment> own = linearBaseLines(*annotation, box);
-    const BaseLines theirs = baseLines(*annotation, box, view);
-    REQUIRE(own.size() == theirs.size());
-    for (const BaseLine& line : theirs) {
-      CHECK(std::ranges::any_of(own, [&](const Segment& s) {
-        return glm::length(s.start - line.segment.start) < 1e-12 && glm::length(s.end - line.segment.end) < 1e-12;
-      }));
-    }
-  }
-}
-
 }  // namespace
 }  // namespace dimline::test

@@ -75,6 +75,15 @@ TEST_CASE("audit: an arc is judged as its curve and its arms, not as its number 
     CHECK(stage.figure(AuditRow::kLeavesViewport).offences == 0);
     moveTo({290, 110});
     CHECK(stage.figure(AuditRow::kTouchesModel).offences == 1);
+    moveTo({60, 330});   // the curve alone, with its arms beside the block and below it
+    CHECK(stage.figure(AuditRow::kTouchesModel).offences == 1);
+    moveTo({60, 375});
+    CHECK(stage.figure(AuditRow::kTouchesModel).offences == 0);
+    moveTo({-10, 200});
+    stage.layout.others[0].arc->angleRad = 0.5;   // the curve stays in the picture, its centre does not
+    CHECK(stage.figure(AuditRow::kLeavesViewport).offences == 1);
+    moveTo({10, 200});
+    CHECK(stage.figure(AuditRow::kLeavesViewport).offences == 0);
     stage.layout.others[0].placement = PlacementKind::kInside;
     CHECK(stage.figure(AuditRow::kTouchesModel).judged == 0);
   }
@@ -307,6 +316,23 @@ TEST_CASE("audit: a line inside though an outside place exists") {
   }
   SECTION("not when other lines stand everywhere beside it") {
     for (const double x : {20.0, 60.0, 340.0, 380.0}) stage.add(kB, vertical(x, 320, 80));
+    CHECK(stage.figure(AuditRow::kNeedlesslyInside, true).offences == 0);
+  }
+  SECTION("on the object's planes too") {
+    stage.model.annotations[kA]->slip = Slip::kObject;
+    CHECK(stage.figure(AuditRow::kNeedlesslyInside, true).offences == 1);
+    stage.cover(0, 0, kStagePx, kStagePx);
+    CHECK(stage.figure(AuditRow::kNeedlesslyInside, true).offences == 0);
+  }
+  SECTION("not where an arc is in the way") {
+    stage.cover(0, 0, kStagePx, kStagePx);
+    stage.cover(0, 0, 70, kStagePx, false);   // what is free is a strip at the picture's left edge
+    CHECK(stage.figure(AuditRow::kNeedlesslyInside, true).offences == 1);
+    PlacedHandle angle;
+    angle.parameter = kD;
+    angle.box = {{200, 200}, {220, 220}};
+    angle.arc = Arc{.center = worldAt(Vec2(0, 320)), .radiusM = 1.2, .angleRad = std::acos(0.0)};
+    stage.layout.others = {angle};
     CHECK(stage.figure(AuditRow::kNeedlesslyInside, true).offences == 0);
   }
   SECTION("not when the author wants it there") {

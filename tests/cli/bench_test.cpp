@@ -44,8 +44,9 @@ TEST_CASE("bench: the straightforward version looks at the object's planes too")
   // Both ways on each plane of the prism around the box that the line is parallel to and that does not stand edge-on.
   const auto measuring = [](const char* slip) {
     return makeModel(test::measuring(
-        {"@Handle(scope=Box, type=linear-contour, orient=up, slip=" + std::string(slip) + ")"},
-        [](const Values&) { return sceneOf({{"Box", boxAt({-4, 0, -3}, {8, 5, 6})}}); }));
+        {"@Handle(scope=Box, type=linear-contour, orient=up, slip=" + std::string(slip) + ")"}, [](const Values&) {
+          return sceneOf({{"Box", boxAt({-4, 0, -3}, {8, 5, 6})}});
+        }));
   };
   const auto candidates = [&](const char* slip) {
     const auto model = measuring(slip);
