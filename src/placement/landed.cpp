@@ -1,6 +1,7 @@
 #include "placement/landed.h"
 
 #include <algorithm>
+#include <cmath>
 #include <span>
 
 #include "placement/jogs.h"
@@ -99,13 +100,14 @@ void Landed::add(const PlacedHandle& handle, const View& view) {
     if (!handle.box.contains(handle.anchor)) extensions_.push_back({.segment = {handle.anchor, handle.box.center()}, .kind = Extension::Kind::kThread});
     return;
   }
-  // Two chords and the arms come near enough to an arc for what keeps away from it.
+  // Chords and the arms come near enough to an arc for what keeps away from it: one of 20 degrees is 2 px off at most (kArcMaxRadiusPx).
   const Arc& arc = *handle.arc;
+  const int chords = std::max(2, static_cast<int>(std::ceil(std::abs(arc.angleRad) / (20 * kRadPerDeg))));
   const Vec2 center = view.toScreen(arc.center);
   Vec2 last = view.toScreen(arc.at(0));
   extensions_.push_back({{center, last}});
-  for (const double share : {0.5, 1.0}) {
-    const Vec2 next = view.toScreen(arc.at(arc.angleRad * share));
+  for (int chord = 1; chord <= chords; ++chord) {
+    const Vec2 next = view.toScreen(arc.at(arc.angleRad * chord / chords));
     lines_.push_back({{last, next}, -1, Vec2(0.0)});
     last = next;
   }

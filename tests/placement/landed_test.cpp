@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include <array>
+#include <cmath>
 
 #include "placement/jogs.h"
 
@@ -138,6 +139,28 @@ TEST_CASE("another pill's thread counts by itself, and its pill as a label") {
   CHECK(found.extensions + found.lines + found.labels == 0);
   CHECK(landed.across({{200, 80}, {200, 120}}).labels == 1);
   CHECK(landed.across({{50, 90}, {50, 110}}).threads == 0);
+}
+
+TEST_CASE("nothing has room on an arc, however long it is, and there is room within it") {
+  // 100 px a metre: three quarters of a circle of 100 px round the middle of the picture.
+  Camera camera;
+  camera.eye = {0, 0, 10};
+  camera.target = Vec3(0.0);
+  camera.orthoHeightM = 4;
+  const View view(camera, 400, 400, Bounds{Vec3(-1), Vec3(1)});
+  PlacedHandle angle;
+  angle.arc = Arc{.radiusM = 1, .angleRad = 270 * kRadPerDeg};
+  angle.box = {{10, 10}, {20, 20}};
+  Landed landed;
+  landed.add(angle, view);
+  const auto at = [&](double radiusM, double deg) { return Box2::around(view.toScreen(Vec3(std::cos(deg * kRadPerDeg), std::sin(deg * kRadPerDeg), 0) * radiusM), {2, 2}); };
+  for (int deg = 5; deg < 270; deg += 5) {
+    INFO(deg);
+    CHECK_FALSE(landed.hasRoom(at(1, deg)));
+    CHECK(landed.hasRoom(at(1.1, deg)));
+    if (deg >= 10 && deg <= 260) CHECK(landed.hasRoom(at(0.85, deg)));
+  }
+  CHECK(landed.hasRoom(at(1, 300)));
 }
 
 TEST_CASE("a label that is taken away leaves its room, and no other does") {

@@ -147,6 +147,11 @@ TEST_CASE("a range offers its choices in a column, one for each") {
   PlacedHandle placed;
   REQUIRE_FALSE(placePill({0, parameter, annotation, stage.scopes, 1, stage.none}, stage.context(), placed));
   CHECK(placed.text == "hip");
+  // Outside, on the side that its orientation names, and handleSpacing from the model.
+  CHECK(placed.placement == PlacementKind::kOutside);
+  CHECK(placed.anchor == Vec2(500, 375));
+  CHECK(placed.box.center().x == Approx(500));
+  CHECK(placed.box.max.y == Approx(375 - kHandleSpacingPx).margin(0.5));
   REQUIRE(placed.options.size() == 3);
   for (std::size_t i = 0; i < 3; ++i) {
     CHECK(placed.options[i].value == static_cast<double>(i));

@@ -110,6 +110,54 @@ TEST_CASE("slip billboard: a diameter and a radius slip straight up or down the 
   }
 }
 
+TEST_CASE("slip scope: a diameter slips out in the plane of its face, or along its axis") {
+  // Straight from above, the lower end's is hidden; at 45 degrees the upper end's face is half edge-on, and a metre across it 70.7 px.
+  Stage stage(measuring({"@Handle(scope=Column, type=diametric, orient=up, slip=scope, align=top)"},
+                        [](const Values&) { return sceneOf({{"Column", boxAt({-0.5, -1, -0.5}, {1, 2, 1})}}); }));
+  const PlacedLine& line = lineSeenFrom(stage, cameraFrom(0, 45));
+  CHECK(line.planeKind == PlaneKind::kScope);
+  checkSame(line.base.start, {line.base.end.x > 0 ? -0.5 : 0.5, 1, 0});
+  const double perMetre = std::sqrt(0.5);
+  const Vec3 way = line.line.start - line.base.start;
+  CHECK(way.x == Approx(0).margin(0.01));
+  // The box's upper back edge is half a metre behind the diameter: as far in the face, and as far up the picture along the axis.
+  CHECK((-way.z + way.y) == Approx(0.5 + kSpacingM / perMetre).margin(0.01));
+  CHECK((way.y == Approx(0).margin(1e-9) || way.z == Approx(0).margin(1e-9)));
+}
+
+TEST_CASE("a sphere's diameter and radius slip out beside its outline, level or upright on screen") {
+  // A ball of 1 m radius, a box here, of which 2 x 2 m are seen from the front.
+  for (const std::string orient : {"horizontal", "vertical"}) {
+    const bool level = orient == "horizontal";
+    for (const std::string type : {"spherical-diametric", "spherical-radial"}) {
+      INFO(type << " " << orient);
+      Stage stage(measuring({"@Handle(scope=Ball, type=" + type + ", orient=" + orient + ", slip=billboard, align=" + (level ? "bottom" : "left") + ")"},
+                            [](const Values&) { return sceneOf({{"Ball", boxAt({-1, -1, -1}, {2, 2, 2})}}); }));
+      const PlacedLine& line = lineSeenFrom(stage, cameraFrom(0, 0));
+      CHECK(line.planeKind == PlaneKind::kBillboard);
+      const Vec3 along = level ? Vec3(1, 0, 0) : Vec3(0, 1, 0);
+      CHECK(std::abs(glm::dot(line.line.end - line.line.start, along)) == Approx(type == "spherical-radial" ? 1 : 2));
+      const Vec3 out = level ? Vec3(0, -1, 0) : Vec3(-1, 0, 0);
+      CHECK(glm::dot(line.line.start, out) == Approx(1 + kSpacingM).margin(0.01));
+      CHECK(glm::dot(line.line.end, out) == Approx(1 + kSpacingM).margin(0.01));
+    }
+  }
+}
+
+TEST_CASE("a line looks as its annotation says: stippled where it is indirect, with spheres and a colour") {
+  Stage stage(boxInBox({"@Handle(scope=Outer, type=linear-contour, orient=right, slip=scope, indirect, skin=sphere, color=#2f6fb7)",
+                        "@Handle(scope=Outer, type=linear-contour, orient=up, slip=scope)"}));
+  const PlacedLine& line = lineSeenFrom(stage, cameraFrom(20, 20));
+  CHECK(line.indirect);
+  CHECK(line.look.skin == HandleSkin::kSphere);
+  CHECK(line.look.color == std::array<std::uint8_t, 3>{0x2f, 0x6f, 0xb7});
+  const PlacedLine* plain = stage.find("Height");
+  REQUIRE(plain != nullptr);
+  CHECK_FALSE(plain->indirect);
+  CHECK(plain->look.skin == HandleSkin::kArrow);
+  CHECK_FALSE(plain->look.color.has_value());
+}
+
 TEST_CASE("of several scopes with one name the line stands at the one where its place is best") {
   // Three posts in a row, none before another: of the others' edges a line would be pushed out beyond the last post all the same, and be further from them.
   const auto besidePost = [](const std::string& align, std::int32_t post) {
