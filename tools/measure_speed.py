@@ -30,7 +30,7 @@ def bench(*command) -> dict:
     return {result["model"]: result for result in json.loads(done.stdout)}
 
 
-def slower(native: dict, wasm: dict, model: str, key: str) -> float:
+def ratio(native: dict, wasm: dict, model: str, key: str) -> float:
     return wasm[model][key] / native[model][key]
 
 
@@ -38,7 +38,7 @@ def model_rows(native: dict, wasm: dict) -> list:
     """A table's lines: every model's times, native and in WebAssembly."""
     lines = ["ms".ljust(20) + "".join(f"{title:>11}{'wasm':>9}{'ratio':>7}" for title in TIMES.values())]
     for model in native:
-        cells = (f"{native[model][key]:>11.3f}{wasm[model][key]:>9.3f}{slower(native, wasm, model, key):>6.2f}x" for key in TIMES)
+        cells = (f"{native[model][key]:>11.3f}{wasm[model][key]:>9.3f}{ratio(native, wasm, model, key):>6.2f}x" for key in TIMES)
         lines.append(model.ljust(20) + "".join(cells))
     return lines
 
@@ -46,13 +46,13 @@ def model_rows(native: dict, wasm: dict) -> list:
 def aims(native: dict, wasm: dict, page: dict) -> list:
     """(what, measured, aim, unit), the aim being the most that there should be."""
     rebuild = max(native, key=lambda model: native[model]["rebuildMs"])
-    slowest, key = max(((model, key) for model in native for key in TIMES), key=lambda pair: slower(native, wasm, *pair))
+    slowest, key = max(((model, key) for model in native for key in TIMES), key=lambda pair: ratio(native, wasm, *pair))
     return [
         ("placer, Candler Building", native["candler"]["placerMs"], 0.5, "ms"),
         ("CPU fields, Parthenon", native["parthenon"]["cpuFieldsMs"], 0.5, "ms"),
         ("CPU fields, Parthenon, WebAssembly", wasm["parthenon"]["cpuFieldsMs"], 1, "ms"),
         (f"longest rebuild ({rebuild})", native[rebuild]["rebuildMs"], 8, "ms"),
-        (f"WebAssembly against native, worst ({TIMES[key]}, {slowest})", slower(native, wasm, slowest, key), 2, "x"),
+        (f"WebAssembly against native, worst ({TIMES[key]}, {slowest})", ratio(native, wasm, slowest, key), 2, "x"),
         ("dimline.wasm, brotli", page["brotliBytes"] / 1000, 300, "kB"),
         ("first picture, warm cache, software WebGL", page["firstPictureMs"] / 1000, 1, "s"),
     ]

@@ -82,7 +82,7 @@ void timeChanges(const Model& model, const Scene& scene, int frames, BenchTimes&
   times.preprocess = median(std::move(preprocessMs));
 
   // Every parameter once a little off its default, over and over while there is time.
-  std::vector<double> rebuildMs;
+  std::vector<std::vector<double>> rebuildMs(model.parameters().size());
   CpuFields producer;
   double spentMs = 0;
   const double budgetMs = std::min(kRepeatBudgetMs, frames * kRepeatMsPerFrame);
@@ -91,15 +91,15 @@ void timeChanges(const Model& model, const Scene& scene, int frames, BenchTimes&
       const Parameter& parameter = model.parameters()[i];
       Values values(model.parameters());
       values.set(i, clampValue(parameter, parameter.defaultValue + share * (parameter.max - parameter.defaultValue)));
-      rebuildMs.push_back(timeMs([&] {
+      rebuildMs[i].push_back(timeMs([&] {
         const Scene changed = model.definition.build(values);
         placer.setScene(model, changed);
         producer.setScene(changed);
       }));
-      spentMs += rebuildMs.back();
+      spentMs += rebuildMs[i].back();
     }
   }
-  times.rebuild = median(std::move(rebuildMs));
+  for (std::vector<double>& of : rebuildMs) times.rebuild = std::max(times.rebuild, median(std::move(of)));
 }
 
 }  // namespace
@@ -119,6 +119,14 @@ std::optional<Steady> steady(const BenchResult& result, std::optional<double> Be
   return Steady{mean, mean > 0 ? std::abs(*first - mean) / mean : 0.0};
 }
 
+std::vector<View> benchViews(const Bounds& bounds, const BenchPlan& plan) {
+  std::vector<View> views;
+  for (const Camera& camera : orbit(bounds, kElevationDeg, 360.0 / plan.frames, plan.sidePx, plan.sidePx).cameras) {
+    views.emplace_back(camera, plan.sidePx, plan.sidePx, bounds);
+  }
+  return views;
+}
+
 Result<BenchResult> benchModel(const Model& model, const BenchPlan& plan) {
   const Scene scene = model.definition.build(Values(model.parameters()));
   BenchResult result{.model = model.definition.name,
@@ -131,10 +139,7 @@ Result<BenchResult> benchModel(const Model& model, const BenchPlan& plan) {
     if (!made) return made.error();
     gpu = std::move(made).value();
   }
-  std::vector<View> views;
-  for (const Camera& camera : orbit(scene.bounds, kElevationDeg, 360.0 / plan.frames, plan.sidePx, plan.sidePx).cameras) {
-    views.emplace_back(camera, plan.sidePx, plan.sidePx, scene.bounds);
-  }
+  const std::vector<View> views = benchViews(scene.bounds, plan);
   for (BenchTimes& times : result.runs) {
     if (Status status = timeFrames(model, scene, views, gpu.get(), times); !status) return status.error();
     if (plan.straightforward) timeStraightforward(model, scene, views, times);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "cli/model_statistics.h"
+#include "math/camera.h"
 #include "model/model.h"
 
 namespace dimline {
@@ -18,8 +19,8 @@ struct BenchTimes {
   std::optional<double> cpuFields;
   std::optional<double> gpuFields;   ///< asked for and waited for, nothing else in between
   std::optional<double> visibility;  ///< of all scopes, on the CPU
-  std::optional<double>
-      rebuild;  ///< a change of one parameter: the model built anew, and all that places and measures prepared
+  /// After a change of the parameter that takes longest: the model built anew, and all that places and measures prepared.
+  std::optional<double> rebuild;
   std::optional<double> straightforward;  ///< see Straightforward
 };
 
@@ -39,10 +40,13 @@ struct BenchPlan {
   bool changes = true;          ///< preprocess and rebuild
 };
 
+/// The views of one orbit, around a model as large as that.
+std::vector<View> benchViews(const Bounds& bounds, const BenchPlan& plan);
+
 /// Measures a model at its default values. An error when the GPU is asked for and there is none.
 Result<BenchResult> benchModel(const Model& model, const BenchPlan& plan);
 
-/// The middle one; nothing of nothing.
+/// The middle one, of an even number the greater; nothing of nothing.
 std::optional<double> median(std::vector<double> samples);
 
 /// The mean of the two runs, and how far each is from it, as a share.

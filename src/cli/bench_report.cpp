@@ -117,9 +117,9 @@ void printGrownRow(std::size_t count, const BenchResult& result,
 void printBench(const std::vector<BenchResult>& results, std::ostream& out) {
   out << "Times in ms, one thread: medians over an orbit at an elevation of 30 degrees, 1000x1000. Each is the mean of "
          "two runs, and ± how far the\n"
-         "runs are from it: the machine's noise. straightforw.: every triangle is looked at for every candidate, on a "
-         "few of the frames; ratio: that\n"
-         "over placer + CPU fields. The paper's placer is its \"GPU impl\", which does not count the fields, its "
+         "runs are from it: the machine's noise. rebuild: after a change of the parameter that takes longest. "
+         "straightforw.: every triangle is looked at\n"
+         "for every candidate, on a few of the frames; ratio: that over placer + CPU fields. The paper's placer is its \"GPU impl\", which does not count the fields, its "
          "straightforw. its \"CPU impl\".\n";
   out << std::left << std::setw(kNameWidth) << "model" << std::right;
   for (const char* title : {"triangles", "params", "base lines", "clustered", "clusters"})
@@ -134,10 +134,10 @@ void printBench(const std::vector<BenchResult>& results, std::ostream& out) {
   }
 }
 
-void printGrowth(std::ostream& out) {
+void printGrowth(std::ostream& out, const GrowthSizes& sizes) {
   out << "\nGrowth with triangles, 16 base lines (ms):\n";
   printGrownHeader({"triangles", "CPU fields", "placer", "visibility"}, out);
-  for (const std::size_t triangles : {1000U, 10000U, 100000U, 1000000U}) {
+  for (const std::size_t triangles : sizes.triangles) {
     const int frames = triangles > 100000 ? 36 : 120;
     const BenchResult result = grown(columnField(triangles), {.frames = frames, .changes = false});
     printGrownRow(result.statistics.triangles, result,
@@ -146,7 +146,7 @@ void printGrowth(std::ostream& out) {
   }
   out << "\nGrowth with base lines, 12 triangles (ms):\n";
   printGrownHeader({"base lines", "CPU fields", "placer, chained", "preprocess", "placer, single"}, out);
-  for (const std::size_t baseLines : {16U, 104U, 1000U, 10000U, 100000U}) {
+  for (const std::size_t baseLines : sizes.baseLines) {
     const int frames = baseLines > 1000 ? 24 : 120;
     const BenchResult chained = grown(windowWall(baseLines / 8, true), {.frames = frames});
     printGrownRow(chained.statistics.baseLines, chained,
@@ -157,8 +157,8 @@ void printGrowth(std::ostream& out) {
   }
   out << "\nGrowth with the viewport's side in px, about 10,000 triangles, 16 base lines (ms):\n";
   printGrownHeader({"side", "CPU fields", "placer", "visibility"}, out);
-  for (const unsigned sidePx : {250U, 500U, 1000U, 2000U, 4000U}) {
-    const BenchResult result = grown(columnField(10000), {.frames = 120, .sidePx = sidePx * 1.0, .changes = false});
+  for (const std::size_t sidePx : sizes.sidesPx) {
+    const BenchResult result = grown(columnField(10000), {.frames = 120, .sidePx = static_cast<double>(sidePx), .changes = false});
     printGrownRow(sidePx, result, {&BenchTimes::cpuFields, &BenchTimes::placer, &BenchTimes::visibility}, out);
     out << "\n" << std::flush;
   }

@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <map>
+#include <string>
 
 #include <catch2/catch.hpp>
 
@@ -39,6 +41,25 @@ TEST_CASE("dimline audit prints a table, and the same as JSON") {
     CHECK(row["worst"].size() <= 2);
     CHECK(row["worst"].empty() == (row["offences"] == 0));
   }
+}
+
+TEST_CASE("dimline audit holds each figure against its aim, and beside what lines fixed in the world come to") {
+  const auto rows = parsed(runProgram({"audit", "house", "--step", "30", "--size", "500x500", "--json"}).out)[0]["parts"][0]["rows"];
+  const std::map<std::string, double> aims{
+      {"crosses-model", 0}, {"touches-model", 0},         {"model-distance", 29.5}, {"line-distance", 29.5},
+      {"offset", 1.05},     {"line-crossings", 0},        {"extension-crossings", 0.01}, {"label-overlaps", 0},
+      {"nesting", 0.01},    {"needlessly-inside", 0},     {"leaves-viewport", 0},   {"identity-changes", 0.02},
+      {"flicker", 0},       {"jumps", 0.002},             {"chain-members", 0.02},  {"still-camera", 0},
+      {"unshown", 0}};
+  REQUIRE(rows.size() == aims.size());
+  for (const auto& row : rows) {
+    INFO(row.dump());
+    CHECK(row["aim"] == Approx(aims.at(row["row"])));
+    if (row["row"] == "offset") CHECK(row["aim95"] == Approx(1.5));
+  }
+  // Seen from elsewhere, lines that stood clear of the house from the front run across it.
+  CHECK(rows[0]["offences"] == 0);
+  CHECK(rows[0]["frozen"] > 10);
 }
 
 TEST_CASE("dimline audit takes extremes, flights and values") {

@@ -1,6 +1,10 @@
+#include <iterator>
+#include <sstream>
+
 #include <catch2/catch.hpp>
 
 #include "cli/bench_measure.h"
+#include "cli/bench_report.h"
 #include "cli/bench_scenes.h"
 #include "cli/bench_straightforward.h"
 #include "cli/run_program.h"
@@ -153,14 +157,63 @@ TEST_CASE("dimline bench measures the GPU's fields where it is asked to") {
 }
 
 TEST_CASE("bench: a larger viewport is the same orbit in more pixels") {
-  const auto model = makeModel(boxWithDoor());
-  for (const double sidePx : {250.0, 2000.0}) {
-    const auto result = benchModel(*model, {.frames = 4, .sidePx = sidePx, .straightforward = false, .changes = false});
-    REQUIRE(result.ok());
-    REQUIRE(steady(*result, &BenchTimes::cpuFields));
-    CHECK(steady(*result, &BenchTimes::placer)->ms > 0);
-    CHECK_FALSE(steady(*result, &BenchTimes::rebuild));
+  const Bounds bounds{Vec3(-1), Vec3(1)};
+  const std::vector<View> small = benchViews(bounds, {.frames = 4, .sidePx = 250});
+  const std::vector<View> large = benchViews(bounds, {.frames = 4, .sidePx = 2000});
+  REQUIRE(small.size() == 4);
+  REQUIRE(large.size() == 4);
+  for (std::size_t i = 0; i < 4; ++i) {
+    CHECK(small[i].widthPx() == 250);
+    CHECK(large[i].heightPx() == 2000);
+    CHECK(small[i].camera() == large[i].camera());
+    CHECK(small[i].forward().y == Approx(-0.5));   // 30 degrees
   }
+}
+
+TEST_CASE("bench: a model that the paper has too stands above the paper's figures, with the ratio of both") {
+  BenchTimes times;
+  times.placer = 0.25;
+  times.cpuFields = 0.75;
+  times.straightforward = 500;
+  const BenchResult boat{
+      .model = "boat",
+      .parameters = 23,
+      .statistics = {.triangles = 60000, .baseLines = 42, .clusteredBaseLines = 14, .clusters = 20},
+      .runs = {times, times}};
+  BenchResult other = boat;
+  other.model = "shed";
+  std::ostringstream out;
+  printBench({boat, other}, out);
+  std::vector<std::string> lines;
+  std::istringstream in(out.str());
+  for (std::string line; std::getline(in, line);) lines.push_back(line);
+  REQUIRE(lines.size() > 3);
+  const auto words = [](const std::string& line) {
+    std::istringstream text(line);
+    return std::vector<std::string>(std::istream_iterator<std::string>(text), {});
+  };
+  const auto last = lines.end() - 1;
+  CHECK(words(*(last - 2)) == std::vector<std::string>{"boat", "60000", "23", "42", "14", "20", "-", "0.250", "±0%", "0.750",
+                                                       "±0%", "-", "-", "-", "500", "±0%", "500.0x"});
+  // Its table 1: 58,214 triangles, 364 ms on the CPU and 3 on the GPU.
+  CHECK(words(*(last - 1)) == std::vector<std::string>{"the", "paper", "58214", "23", "37", "36", "24", "2", "3", "-", "-",
+                                                       "-", "-", "364", "121.3x"});
+  CHECK(words(*last)[0] == "shed");
+}
+
+TEST_CASE("bench: the growth tables have a row for each size") {
+  std::ostringstream out;
+  printGrowth(out, {.triangles = {1000, 2000}, .baseLines = {16}, .sidesPx = {250, 300, 350}});
+  const std::string text = out.str();
+  const auto count = [&](const std::string& sought) {
+    std::size_t found = 0;
+    for (std::size_t at = text.find(sought); at != std::string::npos; at = text.find(sought, at + 1)) ++found;
+    return found;
+  };
+  CHECK(count("Growth with") == 3);
+  // Every time has its noise behind it: three in a row, four for base lines.
+  CHECK(count("±") == 2 * 3 + 1 * 4 + 3 * 3);
+  for (const char* size : {"\n            16 ", "\n           250 ", "\n           300 ", "\n           350 "}) CHECK(count(size) == 1);
 }
 
 TEST_CASE("dimline bench says what is wrong with its arguments") {

@@ -1,10 +1,10 @@
 #pragma once
 
-#include <algorithm>
 #include <cmath>
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "math/camera.h"
 #include "model/model.h"
@@ -97,14 +97,15 @@ inline ModelDefinition moved(ModelDefinition definition, const Motion& motion) {
   return definition;
 }
 
-/// The same parameters, the last one first.
-inline ModelDefinition inReverse(ModelDefinition definition) {
-  definition.build = [build = definition.build, parameters = definition.parameters](const Values& values) {
+/// The same parameters in another order: at place i the one that was at order[i].
+inline ModelDefinition reordered(ModelDefinition definition, std::vector<std::size_t> order) {
+  const std::vector<Parameter> parameters = definition.parameters;
+  for (std::size_t i = 0; i < order.size(); ++i) definition.parameters[i] = parameters[order[i]];
+  definition.build = [build = definition.build, parameters, order = std::move(order)](const Values& values) {
     Values back(parameters);
-    for (std::size_t i = 0; i < values.size(); ++i) back.set(i, values.at(values.size() - 1 - i));
+    for (std::size_t i = 0; i < order.size(); ++i) back.set(order[i], values.at(i));
     return build(back);
   };
-  std::ranges::reverse(definition.parameters);
   return definition;
 }
 
