@@ -24,7 +24,7 @@ class FixedVector {
   /// Those behind it move up.
   void pop_front() {
     assert(size_ > 0);
-    std::ranges::move(begin() + 1, end(), begin());
+    std::ranges::copy(begin() + 1, end(), begin());
     --size_;
   }
   void clear() { size_ = 0; }
