@@ -10,11 +10,8 @@ tools/make_pictures.mjs says from where and how large.
 """
 
 import argparse
-import os
-import shutil
 import subprocess
 import sys
-import threading
 from pathlib import Path
 
 import build
@@ -41,16 +38,9 @@ def main() -> int:
     options = parse_arguments()
     if not build.core("make_pictures", "test"):
         return 1
-    server = serve.Server("127.0.0.1", 0)
-    threading.Thread(target=server.serve_forever, daemon=True).start()
-    try:
-        environment = dict(os.environ, DIMLINE_URL=server.url,
-                           DIMLINE_CHROMIUM=shutil.which("chromium") or "chromium")
+    with serve.for_browser() as environment:
         script = ROOT / "tools/make_pictures.mjs"
         return subprocess.run([setup.node(), str(script), *what_to_draw(options)], cwd=ROOT, env=environment).returncode
-    finally:
-        server.shutdown()
-        server.server_close()
 
 
 if __name__ == "__main__":

@@ -7,11 +7,8 @@ Takes about three minutes, and a machine that does nothing else. `dimline bench`
 """
 
 import json
-import os
-import shutil
 import subprocess
 import sys
-import threading
 from pathlib import Path
 
 import build
@@ -64,15 +61,9 @@ def aim_rows(measured: list) -> list:
 
 def measure_page() -> dict:
     """What measure_page.mjs says of the page that is served here."""
-    server = serve.Server("127.0.0.1", 0)
-    threading.Thread(target=server.serve_forever, daemon=True).start()
-    try:
-        environment = dict(os.environ, DIMLINE_URL=server.url, DIMLINE_CHROMIUM=shutil.which("chromium") or "chromium")
+    with serve.for_browser() as environment:
         done = subprocess.run([setup.node(), str(ROOT / "tools/measure_page.mjs")], cwd=ROOT, env=environment, stdout=subprocess.PIPE, text=True, check=True)
         return json.loads(done.stdout)
-    finally:
-        server.shutdown()
-        server.server_close()
 
 
 def main() -> int:

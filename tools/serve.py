@@ -11,9 +11,13 @@ promises to work with.
 
 import argparse
 import errno
+import os
+import shutil
 import socket
 import sys
+import threading
 import webbrowser
+from contextlib import contextmanager
 from email.utils import formatdate
 from http import HTTPStatus
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
@@ -170,6 +174,18 @@ class Server(ThreadingHTTPServer):
         # A browser that leaves in the middle of a file is no error.
         if not isinstance(sys.exc_info()[1], (ConnectionError, TimeoutError)):
             super().handle_error(request, client_address)
+
+
+@contextmanager
+def for_browser():
+    """Serves the page as long as it is wanted; gives the environment in which scripts of node find it and Chromium."""
+    server = Server("127.0.0.1", 0)
+    threading.Thread(target=server.serve_forever, daemon=True).start()
+    try:
+        yield dict(os.environ, DIMLINE_URL=server.url, DIMLINE_CHROMIUM=shutil.which("chromium") or "chromium")
+    finally:
+        server.shutdown()
+        server.server_close()
 
 
 def bind(host: str, port, mounts=MOUNTS) -> Server:

@@ -13,7 +13,6 @@ import argparse
 import io
 import json
 import os
-import shutil
 import signal
 import subprocess
 import sys
@@ -254,15 +253,8 @@ def browser_part(match: str):
     wait_for_build("wasm")
     artifacts = ROOT / "build/test-artifacts"
     artifacts.mkdir(parents=True, exist_ok=True)
-    server = serve.Server("127.0.0.1", 0)
-    threading.Thread(target=server.serve_forever, daemon=True).start()
-    try:
-        yield from script_part("browser", match, dict(
-            os.environ, DIMLINE_URL=server.url, DIMLINE_CHROMIUM=shutil.which("chromium") or "chromium",
-            DIMLINE_ARTIFACTS=str(artifacts)))
-    finally:
-        server.shutdown()
-        server.server_close()
+    with serve.for_browser() as environment:
+        yield from script_part("browser", match, environment | {"DIMLINE_ARTIFACTS": str(artifacts)})
 
 
 # The rest

@@ -57,6 +57,7 @@ private:
     tally_.offend(row, who, badness, name_, what, atOdds);
   }
   void otherHandleOutside(std::size_t i);
+  void overExtensions(std::size_t a);
   void crossing(std::size_t a, std::size_t b);
   void labels(std::size_t a, std::size_t b);
   void distance(std::size_t a, std::size_t b);
@@ -88,30 +89,31 @@ void FrameAudit::againstModel() {
 
 void FrameAudit::againstEachOther() {
   for (std::size_t a = 0; a < lines_.size(); ++a) {
-    bool crossesExtension = false;
-    for (std::size_t b = 0; b < lines_.size(); ++b) {
-      if (b == a) continue;
-      for (const auto* extension : {&lines_[b].extensionStart, &lines_[b].extensionEnd}) {
-        for (std::size_t k = 1; k < extension->size(); ++k) {
-          if (crossesExtension || !crossEachOther(lines_[a].lineScreen, {(*extension)[k - 1], (*extension)[k]}))
-            continue;
-          crossesExtension = true;
-          offend(AuditRow::kExtensionCrossings, nameOf(a) + " over " + nameOf(b), 0, "crosses an extension line");
-        }
-      }
-      if (b < a) continue;
+    overExtensions(a);
+    for (std::size_t b = a + 1; b < lines_.size(); ++b) {
       crossing(a, b);
       labels(a, b);
       distance(a, b);
     }
-    for (std::size_t i = 0; i < arcs_.size(); ++i) {
-      for (const Segment2& arm : arcs_[i].arms) {
-        if (crossesExtension || !crossEachOther(lines_[a].lineScreen, arm)) continue;
-        crossesExtension = true;
-        offend(AuditRow::kExtensionCrossings, nameOf(a) + " over " + otherName(i), 0, "crosses an arm of the angle");
+  }
+}
+
+/// A line over another's extension lines, or over the arms of an arc: however many, one offence.
+void FrameAudit::overExtensions(std::size_t a) {
+  tally_.judge(AuditRow::kExtensionCrossings);
+  const auto crosses = [&](const Segment2& s) { return crossEachOther(lines_[a].lineScreen, s); };
+  for (std::size_t b = 0; b < lines_.size(); ++b) {
+    if (b == a) continue;
+    for (const auto* extension : {&lines_[b].extensionStart, &lines_[b].extensionEnd}) {
+      for (std::size_t k = 1; k < extension->size(); ++k) {
+        if (!crosses({(*extension)[k - 1], (*extension)[k]})) continue;
+        return offend(AuditRow::kExtensionCrossings, nameOf(a) + " over " + nameOf(b), 0, "crosses an extension line");
       }
     }
-    tally_.judge(AuditRow::kExtensionCrossings);
+  }
+  for (std::size_t i = 0; i < arcs_.size(); ++i) {
+    if (std::ranges::none_of(arcs_[i].arms, crosses)) continue;
+    return offend(AuditRow::kExtensionCrossings, nameOf(a) + " over " + otherName(i), 0, "crosses an arm of the angle");
   }
 }
 
@@ -226,18 +228,19 @@ void FrameAudit::againstViewport() {
 
 void FrameAudit::otherHandleOutside(std::size_t i) {
   const Box2& box = layout_.others[i].box;
-  const auto onModel = [&](const Segment2& s) { return frame_.mask->distancePx(s) == 0; };
-  const auto leaves = [&](const Segment2& s) { return leavesViewport(s.start) || leavesViewport(s.end); };
+  const auto anyOfArc = [&](const auto& offends) {
+    return std::ranges::any_of(arcs_[i].curve, offends) || std::ranges::any_of(arcs_[i].arms, offends);
+  };
   tally_.judge(AuditRow::kTouchesModel);
   if (frame_.mask->touches(box)) {
     offend(AuditRow::kTouchesModel, otherName(i), 1, "handle on the model");
-  } else if (std::ranges::any_of(arcs_[i].curve, onModel) || std::ranges::any_of(arcs_[i].arms, onModel)) {
+  } else if (anyOfArc([&](const Segment2& s) { return frame_.mask->distancePx(s) == 0; })) {
     offend(AuditRow::kTouchesModel, otherName(i), 1, "arc on the model");
   }
   tally_.judge(AuditRow::kLeavesViewport);
   if (leavesViewport(box)) {
     offend(AuditRow::kLeavesViewport, otherName(i), 1, "the handle leaves the viewport");
-  } else if (std::ranges::any_of(arcs_[i].curve, leaves) || std::ranges::any_of(arcs_[i].arms, leaves)) {
+  } else if (anyOfArc([&](const Segment2& s) { return leavesViewport(s.start) || leavesViewport(s.end); })) {
     offend(AuditRow::kLeavesViewport, otherName(i), 1, "the arc leaves the viewport");
   }
 }

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "core/constants.h"
+#include "math/hull.h"
 
 namespace dimline {
 
@@ -12,28 +13,6 @@ namespace {
 
 bool plainlyFaces(const Vec3& normal, const Vec3& sight) {
   return std::abs(glm::dot(normal, sight)) >= std::sin(kEdgeOnAngleRad + kPlainlyMoreRad);
-}
-
-/// The corners of the convex hull, counter-clockwise in (x, z) as in (x, y); fewer than three of points in a line.
-std::vector<Vec2> hullOf(std::vector<Vec2> points) {
-  if (points.empty()) return {};
-  std::ranges::sort(points, [](const Vec2& a, const Vec2& b) { return a.x != b.x ? a.x < b.x : a.y < b.y; });
-  std::vector<Vec2> hull;
-  const auto turnsLeft = [&](const Vec2& p) {
-    const Vec2 a = hull[hull.size() - 1] - hull[hull.size() - 2];
-    const Vec2 b = p - hull[hull.size() - 1];
-    return a.x * b.y - a.y * b.x > 0;
-  };
-  for (int chain = 0; chain < 2; ++chain) {  // the lower one, then the upper one back
-    const std::size_t first = hull.size();
-    for (const Vec2& p : points) {
-      while (hull.size() >= first + 2 && !turnsLeft(p)) hull.pop_back();
-      hull.push_back(p);
-    }
-    hull.pop_back();
-    std::ranges::reverse(points);
-  }
-  return hull;
 }
 
 void addObjectWays(const Segment& base, const View& view, const std::vector<ObjectFace>& object, double modelSizeM,
@@ -97,7 +76,7 @@ std::vector<ObjectFace> objectFaces(const Model& model, const Scene& scene) {
     }
   }
   std::vector<ObjectFace> faces;
-  const std::vector<Vec2> hull = hullOf(std::move(ground));
+  const std::vector<Vec2> hull = convexHull(ground, 0);
   if (hull.size() < 3) return faces;
   for (std::size_t i = 0; i < hull.size(); ++i) {
     const Vec2& a = hull[i];
@@ -127,9 +106,7 @@ std::vector<SlipWay> slipWays(const Annotation& annotation, const Obb& scope, co
   };
   const int axis = axisOf(annotation.orient).axis;
   const auto axisAt = [&](int i) { return scope.axes[static_cast<std::size_t>(i)]; };
-  const bool spherical =
-      annotation.type == HandleType::kSphericalDiametric || annotation.type == HandleType::kSphericalRadial;
-  if (annotation.slip == Slip::kBillboard || (annotation.slip == Slip::kScope && spherical)) {
+  if (annotation.slip == Slip::kBillboard || (annotation.slip == Slip::kScope && isSpherical(annotation.type))) {
     add(glm::normalize(glm::cross(sight, along)));
   } else if (annotation.slip == Slip::kScope && isLinear(annotation.type)) {
     add(axisAt((axis + 1) % 3));

@@ -5,7 +5,7 @@
 #include "math/camera.h"
 #include "model/model.h"
 
-// Where the audit has base lines slip: worked out anew, and none of what the placer uses.
+// Where the audit has base lines slip: worked out anew, by nothing of src/placement.
 namespace dimline {
 
 /// "Plainly" so turned to the viewer: by so much more than the least that nobody could disagree.

@@ -138,22 +138,14 @@ void measureMembers(const Model& model, const Layout& before, const Layout& afte
 }
 
 bool same(const Segment2& s, const Segment2& t) { return s.start == t.start && s.end == t.end; }
-bool same(const Box2& a, const Box2& b) { return a.min == b.min && a.max == b.max; }
 
 bool identical(const PlacedLine& a, const PlacedLine& b) {
-  const bool labels = a.label.has_value() == b.label.has_value() && (!a.label || same(*a.label, *b.label));
-  return a.placement == b.placement && same(a.lineScreen, b.lineScreen) && same(a.baseScreen, b.baseScreen) && labels &&
-         a.extensionStart == b.extensionStart && a.extensionEnd == b.extensionEnd;
-}
-
-bool same(const Arc& a, const Arc& b) {
-  return a.center == b.center && a.from == b.from && a.axis == b.axis && a.radiusM == b.radiusM &&
-         a.angleRad == b.angleRad;
+  return a.placement == b.placement && same(a.lineScreen, b.lineScreen) && same(a.baseScreen, b.baseScreen) &&
+         a.label == b.label && a.extensionStart == b.extensionStart && a.extensionEnd == b.extensionEnd;
 }
 
 bool identical(const PlacedHandle& a, const PlacedHandle& b) {
-  const bool arcs = a.arc.has_value() == b.arc.has_value() && (!a.arc || same(*a.arc, *b.arc));
-  return a.placement == b.placement && a.anchor == b.anchor && same(a.box, b.box) && arcs;
+  return a.placement == b.placement && a.anchor == b.anchor && a.box == b.box && a.arc == b.arc;
 }
 
 /// Holds what is shown in one frame against the other, line by line or handle by handle.

@@ -5,7 +5,6 @@
 #include <limits>
 
 #include "core/constants.h"
-#include "placement/chains.h"
 
 namespace dimline {
 
@@ -58,7 +57,7 @@ double offsetPast(std::array<Seen, 8>& corners) {
 
 }  // namespace
 
-Straightforward::Straightforward(const Model& model, const Scene& scene) {
+Straightforward::Straightforward(const Model& model, const Scene& scene) : scopes_(scene.scopes) {
   for (const Instance& instance : scene.instances) {
     const Mesh& mesh = scene.meshes[instance.mesh];
     const Mat4 toWorld(instance.transform);
@@ -66,35 +65,11 @@ Straightforward::Straightforward(const Model& model, const Scene& scene) {
     for (const glm::vec3& p : mesh.positions) corners_.emplace_back(toWorld * Vec4(Vec3(p), 1.0));
     for (const auto& t : mesh.triangles) triangles_.push_back({first + t[0], first + t[1], first + t[2]});
   }
-  for (const auto& annotation : model.annotations) {
-    if (!annotation || !isLine(annotation->type)) continue;
-    Measured& parameter = parameters_.emplace_back();
-    parameter.annotation = *annotation;
-    std::vector<std::size_t> measured;
-    for (std::size_t i = 0; i < scene.scopes.size(); ++i) {
-      if (scene.scopes[i].name != annotation->scope) continue;
-      measured.push_back(i);
-      parameter.scopes.push_back(scene.scopes[i].box);
-    }
-    if (!annotation->chained) continue;
-    for (const Cluster& cluster : clusterBaseLines(*annotation, scene.scopes, measured, scene.bounds.diagonal())) {
-      for (const int side : {0, 1}) parameter.chains.push_back(chainBaseLine(cluster, side));
-    }
+  for (Measured& measured : measure(model, scopes_, scene.bounds.diagonal())) {
+    if (isLine(measured.annotation.type)) measured_.push_back(std::move(measured));
   }
   toleranceM_ = kSamePlaneDistance * scene.bounds.diagonal();
-  objectPlanes_ = findObjectPlanes(scene);
-}
-
-/// From the base lines that are the same from everywhere.
-std::vector<ObjectPlane> Straightforward::findObjectPlanes(const Scene& scene) const {
-  std::vector<Segment> fixed;
-  for (const Measured& parameter : parameters_) {
-    if (!isLinear(parameter.annotation.type)) continue;
-    for (const Obb& scope : parameter.scopes) {
-      for (const Segment& segment : baseSegments(parameter.annotation, scope, View())) fixed.push_back(segment);
-    }
-  }
-  return objectPlanes(fixed, scene.bounds);
+  objectPlanes_ = objectPlanes(fixedBaseLines(measured_, scopes_), scene.bounds);
 }
 
 double Straightforward::leastOffsetM(const Slide& slide, const View& view) const {
@@ -132,12 +107,14 @@ void Straightforward::placeLine(const BaseLine& line, Slip slip, bool chain, con
 Straightforward::Frame Straightforward::place(const View& view) {
   Frame frame;
   facePlanes(objectPlanes_, view, objectUses_);
-  for (const Measured& parameter : parameters_) {
-    const Slip slip = parameter.annotation.slip;
-    for (const BaseLine& line : parameter.chains) placeLine(line, slip, true, view, frame);
-    if (!parameter.chains.empty()) continue;
-    for (const Obb& scope : parameter.scopes) {
-      for (const BaseLine& line : baseLines(parameter.annotation, scope, view))
+  for (const Measured& measured : measured_) {
+    const Slip slip = measured.annotation.slip;
+    for (const Cluster& cluster : measured.clusters) {
+      for (const int side : {0, 1}) placeLine(chainBaseLine(cluster, side), slip, true, view, frame);
+    }
+    if (!measured.clusters.empty()) continue;  // then its scopes' own stand back
+    for (const std::size_t scope : measured.scopes) {
+      for (const BaseLine& line : baseLines(measured.annotation, scopes_[scope].box, view))
         placeLine(line, slip, false, view, frame);
     }
   }

@@ -5,7 +5,7 @@
 
 #include "math/camera.h"
 #include "model/model.h"
-#include "placement/base_lines.h"
+#include "placement/measured.h"
 #include "placement/slip_planes.h"
 #include "silhouette/slide.h"
 
@@ -31,18 +31,12 @@ public:
   Frame place(const View& view);
 
 private:
-  /// A parameter with a dimension line.
-  struct Measured {
-    Annotation annotation;
-    std::vector<Obb> scopes;
-    std::vector<BaseLine> chains;  ///< its chain base lines; then its scopes' own stand back
-  };
   void placeLine(const BaseLine& line, Slip slip, bool chain, const View& view, Frame& frame);
-  [[nodiscard]] std::vector<ObjectPlane> findObjectPlanes(const Scene& scene) const;
 
   std::vector<Vec3> corners_;  ///< of the whole model, in the world
   std::vector<std::array<std::uint32_t, 3>> triangles_;
-  std::vector<Measured> parameters_;
+  std::vector<Scope> scopes_;
+  std::vector<Measured> measured_;  ///< with dimension lines
   std::vector<ObjectPlane> objectPlanes_;
   std::vector<ObjectPlaneUse> objectUses_;  ///< in the frame at hand
   double toleranceM_ = 0;

@@ -7,7 +7,7 @@
 namespace dimline {
 
 /// An OpenGL ES 3 context without a window or a display, for the command line and for tests: Mesa's surfaceless platform where there is
-/// one, otherwise the first EGL device. There is no default framebuffer to draw to. Native builds only.
+/// one, otherwise the first EGL device. There is no default framebuffer to draw to. In WebAssembly make() is an error.
 class NativeContext {
  public:
   /// Makes a context and makes it current on this thread. The error says what is missing.

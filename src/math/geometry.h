@@ -93,6 +93,7 @@ struct Box2 {
   Vec2 min{std::numeric_limits<double>::infinity()};
   Vec2 max{-std::numeric_limits<double>::infinity()};
 
+  bool operator==(const Box2&) const = default;
   [[nodiscard]] static Box2 around(const Vec2& center, const Vec2& size) { return {center - size * 0.5, center + size * 0.5}; }
   [[nodiscard]] bool empty() const { return min.x > max.x || min.y > max.y; }
   [[nodiscard]] Vec2 center() const { return (min + max) * 0.5; }

@@ -150,10 +150,6 @@ std::string_view nameIn(std::span<const Named<T>> names, T value) {
 using Entry = AnnotationEntry;
 using Kind = AnnotationEntry::Kind;
 
-bool isSpherical(HandleType type) {
-  return type == HandleType::kSphericalDiametric || type == HandleType::kSphericalRadial;
-}
-
 class Interpreter {
 public:
   Result<ParsedAnnotation> interpret(std::span<const Entry> entries) {
@@ -434,6 +430,10 @@ bool isLine(HandleType type) {
 }
 
 bool isLinear(HandleType type) { return type == HandleType::kLinearContour || type == HandleType::kLinearCenter; }
+
+bool isSpherical(HandleType type) {
+  return type == HandleType::kSphericalDiametric || type == HandleType::kSphericalRadial;
+}
 
 AxisSense axisOf(Orient orient) {
   switch (orient) {

@@ -94,6 +94,8 @@ std::string_view name(Align align);
 bool isLine(HandleType type);
 /// Whether it is a dimension line along an axis of its scope rather than across a circle or a ball.
 bool isLinear(HandleType type);
+/// Whether it is a dimension line across a ball.
+bool isSpherical(HandleType type);
 
 /// The scope axis (0 x, 1 y, 2 z) an orientation names and the sense along it; horizontal and vertical give no axis (-1).
 struct AxisSense {

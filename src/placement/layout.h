@@ -56,6 +56,7 @@ struct LabelPlace {
 struct Handle {
   bool atEnd = true;   ///< the moving end, or else the start
   Vec2 screen{0.0};    ///< the arrowhead's tip, or a pill's middle (px)
+  bool operator==(const Handle&) const = default;
 };
 
 /// A polyline, px, from an end of the base line by way of its foot on the plane, where there is another, and of a jog (jogs.h), where there is one, to that of the final line.
@@ -99,6 +100,7 @@ struct Arc {
   double angleRad = 0;
 
   [[nodiscard]] Vec3 at(double rad) const;
+  bool operator==(const Arc&) const = default;
 };
 
 /// One choice of a range handle, and where it is offered when the handle is open.
@@ -106,6 +108,7 @@ struct RangeOption {
   double value = 0;
   std::string text;
   Box2 box;              ///< px
+  bool operator==(const RangeOption&) const = default;
 };
 
 /// A handle that is no line: an arc for an angle, a switch, the choices of a range (paper 5, figures 18 and 23).

@@ -5,7 +5,7 @@
 
 #include "app/editor_stage.h"
 #include "models/models.h"
-#include "support/allocation_count.h"
+#include "support/model_settings.h"
 
 // What must hold for every built-in model: nothing is left behind by a drag that is taken back, in whichever way, and no frame of a flight that was flown before allocates.
 
@@ -38,15 +38,6 @@ std::vector<unsigned char> bytesOf(const Scene& scene) {
   for (const Scope& scope : scene.scopes) boxes.push_back(scope.box);
   append(bytes, boxes);
   return bytes;
-}
-
-/// Under the sanitizers a few stand for all.
-bool tested(std::string_view model) {
-#ifdef __SANITIZE_ADDRESS__
-  return model == "house" || model == "lever" || model == "facade";
-#else
-  return !model.empty();
-#endif
 }
 
 /// One draggable end of each parameter in view, as it is drawn: the parameter, where it is, and which way it points.
@@ -322,22 +313,11 @@ TEST_CASE("in every model, frames of a flight allocate nothing once it has been 
     if (!tested(builtIn.name)) continue;
     EditorStage stage(builtIn.define());
     const Bounds& bounds = stage.editor.scene().bounds;
-    const auto fly = [&](int cameras, int framesAtEach, const auto& cameraOf) {
-      std::size_t allocated = 0;
-      for (int i = 0; i < cameras; ++i) {
-        REQUIRE(stage.editor.setCamera(cameraOf(i)));
-        (void)stage.editor.takeEvents();
-        const std::size_t before = allocationCount();
-        for (int frame = 0; frame < framesAtEach; ++frame) stage.frame();
-        allocated += allocationCount() - before;
-      }
-      return allocated;
-    };
     INFO(builtIn.name);
     // What is tried at random is not the same in each flight, nor is then which handle is drawn with the memory of which.
     const auto allocatedWhenFlownBefore = [&](int cameras, int framesAtEach, const auto& cameraOf) {
-      for (int warmUp = 0; warmUp < 4; ++warmUp) fly(cameras, framesAtEach, cameraOf);
-      return fly(cameras, framesAtEach, cameraOf);
+      for (int warmUp = 0; warmUp < 4; ++warmUp) allocatedInFlight(stage, cameras, framesAtEach, cameraOf);
+      return allocatedInFlight(stage, cameras, framesAtEach, cameraOf);
     };
     const auto turned = [&](double deg) { return orbitCamera(bounds.center(), 1.8 * bounds.diagonal(), deg, 20); };
     CHECK(allocatedWhenFlownBefore(120, 1, [&](int i) { return turned(3.0 * i); }) == 0);

@@ -5,7 +5,6 @@
 #include "placement/placer.h"
 #include "silhouette/cpu_fields.h"
 #include "silhouette/scope_visibility.h"
-#include "support/allocation_count.h"
 
 using namespace dimline;
 using namespace dimline::test;
@@ -227,17 +226,8 @@ TEST_CASE("two editors given the same do the same, bit for bit") {
 
 TEST_CASE("frames of an orbit allocate nothing once the orbit has been flown") {
   EditorStage stage;
-  const auto fly = [&](bool count) {
-    std::size_t allocated = 0;
-    for (int i = 0; i < 90; ++i) {
-      REQUIRE(stage.editor.setCamera(orbitCamera({0, 2, 0}, 30, 4.0 * i, 20)));
-      const std::size_t before = allocationCount();
-      stage.frame();
-      if (count) allocated += allocationCount() - before;
-    }
-    return allocated;
-  };
-  fly(false);
-  fly(false);
-  REQUIRE(fly(true) == 0);
+  const auto fly = [&] { return allocatedInFlight(stage, 90, 1, [](int i) { return orbitCamera({0, 2, 0}, 30, 4.0 * i, 20); }); };
+  fly();
+  fly();
+  REQUIRE(fly() == 0);
 }

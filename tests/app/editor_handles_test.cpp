@@ -4,7 +4,6 @@
 
 #include "app/editor_stage.h"
 #include "editing/arc_projection.h"
-#include "support/allocation_count.h"
 
 using namespace dimline;
 using namespace dimline::test;
@@ -189,17 +188,8 @@ TEST_CASE("lines that are put away in the middle of a drag end it as letting go 
 
 TEST_CASE("frames of an orbit with handles of every kind allocate nothing once it has been flown") {
   HandleStage stage;
-  const auto fly = [&](bool count) {
-    std::size_t allocated = 0;
-    for (int i = 0; i < 90; ++i) {
-      REQUIRE(stage.editor.setCamera(orbitCamera({0, 2, 0}, 30, 4.0 * i, 20)));
-      const std::size_t before = allocationCount();
-      stage.frame();
-      if (count) allocated += allocationCount() - before;
-    }
-    return allocated;
-  };
-  fly(false);
-  fly(false);
-  REQUIRE(fly(true) == 0);
+  const auto fly = [&] { return allocatedInFlight(stage, 90, 1, [](int i) { return orbitCamera({0, 2, 0}, 30, 4.0 * i, 20); }); };
+  fly();
+  fly();
+  REQUIRE(fly() == 0);
 }

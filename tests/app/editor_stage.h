@@ -1,6 +1,9 @@
 #pragma once
 
+#include <catch2/catch.hpp>
+
 #include "app/editor.h"
+#include "support/allocation_count.h"
 #include "support/same_layout.h"
 #include "support/scenes.h"
 
@@ -66,6 +69,20 @@ struct EditorStage {
     up(to);
   }
 };
+
+/// What frames allocate, so many from each camera, setting the camera and what events say aside.
+template <typename CameraOf>
+std::size_t allocatedInFlight(EditorStage& stage, int cameras, int framesAtEach, const CameraOf& cameraOf) {
+  std::size_t allocated = 0;
+  for (int i = 0; i < cameras; ++i) {
+    REQUIRE(stage.editor.setCamera(cameraOf(i)));
+    (void)stage.editor.takeEvents();
+    const std::size_t before = allocationCount();
+    for (int frame = 0; frame < framesAtEach; ++frame) stage.frame();
+    allocated += allocationCount() - before;
+  }
+  return allocated;
+}
 
 /// 50 px a metre on 1000 x 1000, the middle of the box with the door in the middle of the picture.
 inline Camera orthoFront() {

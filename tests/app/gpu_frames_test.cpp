@@ -2,7 +2,6 @@
 
 #include "app/editor_stage.h"
 #include "models/models.h"
-#include "support/allocation_count.h"
 #include "support/gl_test_context.h"
 
 // Software GL drivers keep memory to the end of the process, which the address sanitizer takes for leaks of ours.
@@ -18,17 +17,7 @@ TEST_CASE("frames that the GPU measures and draws allocate nothing once the flig
   REQUIRE(stage.editor.problem().empty());
   stage.editor.setFieldsFrom(Editor::FieldsFrom::kGpu);
   const Bounds& bounds = stage.editor.scene().bounds;
-  const auto fly = [&] {
-    std::size_t allocated = 0;
-    for (int i = 0; i < 60; ++i) {
-      REQUIRE(stage.editor.setCamera(orbitCamera(bounds.center(), 1.8 * bounds.diagonal(), 6.0 * i, 20)));
-      (void)stage.editor.takeEvents();
-      const std::size_t before = allocationCount();
-      stage.frame();
-      allocated += allocationCount() - before;
-    }
-    return allocated;
-  };
+  const auto fly = [&] { return allocatedInFlight(stage, 60, 1, [&](int i) { return orbitCamera(bounds.center(), 1.8 * bounds.diagonal(), 6.0 * i, 20); }); };
   for (int warmUp = 0; warmUp < 4; ++warmUp) fly();
   CHECK(fly() == 0);
   CHECK(stage.editor.fieldsMeasuredBy() == Editor::FieldsFrom::kGpu);

@@ -5,6 +5,7 @@
 
 #include "models/models.h"
 #include "silhouette/scope_visibility.h"
+#include "support/model_settings.h"
 #include "support/motion.h"
 #include "support/stage.h"
 
@@ -23,15 +24,6 @@ constexpr double kMovedByRoundingPx = 1.5;
 
 /// Where rounding decides between two places, hysteresis keeps the line at the other one for a while.
 constexpr double kLeastShareAlike = 0.99;
-
-/// Under the sanitizers, where all is slow, fewer.
-bool flown(std::string_view model) {
-#ifdef __SANITIZE_ADDRESS__
-  return model == "house" || model == "lever" || model == "facade";
-#else
-  return !model.empty();
-#endif
-}
 
 /// Begins a little beyond the front, where no two places are exactly as good as one another.
 Camera onTheFlight(const Bounds& bounds, int frame) {
@@ -126,7 +118,7 @@ void checkMoved(const ModelDefinition& definition, const Motion& motion, double 
 
 void checkEveryModelMoved(const Motion& motion) {
   for (const BuiltInModel& builtIn : builtInModels()) {
-    if (flown(builtIn.name)) checkMoved(builtIn.define(), motion);
+    if (tested(builtIn.name)) checkMoved(builtIn.define(), motion);
   }
 }
 
@@ -154,7 +146,7 @@ TEST_CASE("models have the mirror's lines in a mirrored world") {
   Share all;
   for (const BuiltInModel& builtIn : builtInModels()) {
     ModelDefinition definition = builtIn.define();
-    if (!flown(builtIn.name) || measuresRoundThings(definition)) continue;
+    if (!tested(builtIn.name) || measuresRoundThings(definition)) continue;
     INFO(builtIn.name);
     // An arc always begins on the axis after its own: in the mirror it has its dragged end at the other side.
     for (Parameter& p : definition.parameters) {
@@ -172,7 +164,7 @@ TEST_CASE("models have the mirror's lines in a mirrored world") {
 
 TEST_CASE("every model has its lines upside down where the viewport is") {
   for (const BuiltInModel& builtIn : builtInModels()) {
-    if (!flown(builtIn.name)) continue;
+    if (!tested(builtIn.name)) continue;
     INFO(builtIn.name);
     ModelDefinition turned = builtIn.define();
     for (Parameter& p : turned.parameters) {
@@ -193,7 +185,7 @@ TEST_CASE("models whose lengths are all different have the same lines in whateve
   std::size_t models = 0;
   for (const BuiltInModel& builtIn : builtInModels()) {
     // The galleon has sails as wide as masts are high, and of the trees' three sorts each is the same.
-    if (!flown(builtIn.name) || builtIn.name == "boat" || builtIn.name == "omni-tree") continue;
+    if (!tested(builtIn.name) || builtIn.name == "boat" || builtIn.name == "omni-tree") continue;
     INFO(builtIn.name);
     const ModelDefinition definition = moved(builtIn.define(), {});
     std::vector<std::size_t> order(definition.parameters.size());
