@@ -51,11 +51,10 @@ enum class AuditRow : std::uint8_t {
   /// nearer to the model than the shorter.
   kNesting,
   /// Lines inside although a slow search finds a place outside: for a visible scope's base line and a plane that its
-  /// annotation allows (not slip=none), where the line keeps kHandleSpacingPx from the
-  /// model and all other outside lines, 4 px from everything else that is drawn, and its label has room too, not so far
-  /// behind its base line that perspective makes it hard to compare (kMostDepthRatio), nor so far across the picture
-  /// from it that nobody sees what it measures (kMostReachShare). Base lines of a chained parameter are tried each for
-  /// itself.
+  /// annotation allows (not slip=none), where the line keeps kHandleSpacingPx from the model and all other outside
+  /// lines, 4 px from everything else that is drawn, and its label has room too, not so far behind its base line that
+  /// perspective makes it hard to compare (kMostDepthRatio), nor so far across the picture from it that nobody sees what
+  /// it measures (kMostReachShare). Base lines of a chained parameter are tried each for itself.
   kNeedlesslyInside,
   /// Outside lines with an end, or a label's corner, out of the viewport; other handles likewise.
   kLeavesViewport,
